@@ -35,7 +35,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       real(dp), intent(in), optional :: domain_scale   !! of the domain over that of the keys; absent: chosen
       type(case_t) :: copy
-      real(dp) :: errors(2), meniscus, thickening
+      real(dp) :: errors(2), meniscus
 
       copy = case
       call case_conditions(copy, plan%conditions, error)
@@ -45,18 +45,17 @@ contains
       associate (measured => copy%oil%measured)
          if (allocated(measured%path)) call note_digest(plan%files, measured%path, measured%digest())
       end associate
-      thickening = plan%rheology%thickening()
       copy = case
       if (present(domain_scale)) then
          plan%domain_scale = domain_scale
       else
-         plan%domain_scale = chosen_scale(case, plan%conditions, thickening)
+         plan%domain_scale = chosen_scale(case, plan%conditions, plan%rheology)
       end if
       call scale_domain(copy, plan%domain_scale)
       plan%x_min = copy%x_min
       plan%x_max = copy%x_max
       plan%y_max = copy%y_max
-      errors = expected_domain_errors(case, plan%conditions, thickening, plan%domain_scale)
+      errors = expected_domain_errors(case, plan%conditions, plan%rheology, plan%domain_scale)
       plan%film_domain_error = errors(1)
       plan%domain_error = errors(2)
       if (case%edges == 'flooded') copy%accuracy = case%accuracy - min(0.5_dp*case%accuracy, plan%domain_error)

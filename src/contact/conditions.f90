@@ -46,6 +46,7 @@ module ehlwave_conditions
    contains
       procedure :: is_line
       procedure :: steepness
+      procedure :: radius_over_a
    end type conditions_t
 
 contains
@@ -63,6 +64,14 @@ contains
       steepness = self%gamma*self%m
       if (self%is_line()) steepness = slender_over_line*steepness
    end function steepness
+
+   !> Rx/a by theory eq. (20), (L2): a/R = 4 E ph/E', 1/R = (1 + D)/Rx, of a line E = 1. 0 where E' or ph is not known.
+   pure real(dp) function radius_over_a(self)
+      class(conditions_t), intent(in) :: self
+      radius_over_a = 0
+      if (self%hertz_pressure_pa > 0) radius_over_a = &
+         (1 + self%d)*self%data%reduced_modulus_pa/(4*self%elliptic%e*self%hertz_pressure_pa)
+   end function radius_over_a
 
    !> Conditions from the Moes parameters, theory eq. (1) to (6); for D = 0 see `set_line`.
    !>

@@ -26,8 +26,8 @@ module ehlwave_far_field
 
    integer, parameter :: intervals = 256        !! of (F2), in ln r
    real(dp), parameter :: farthest = 60         !! r where (F1) holds
-   real(dp), parameter :: rising_exponent = 4   !! makes the pressure at r = 1 a quarter of ph where the oil does not
-                                                !! thicken
+   !> Makes the pressure at r = 1 a quarter of ph where the oil does not thicken.
+   real(dp), parameter, public :: rising_exponent = 4
 
    !> Far field of a contact.
    type, public :: far_field_t
@@ -39,6 +39,7 @@ module ehlwave_far_field
       procedure :: strength
       procedure :: film_at
       procedure :: load_outside
+      procedure :: outside
    end type far_field_t
 
 contains
@@ -121,47 +122,60 @@ contains
    !> Load over the nominal one that the far field bears beyond the inlet edge and the sides of a domain, (F6).
    pure real(dp) function load_outside(self, x_min, y_max) result(load)
       class(far_field_t), intent(in) :: self
+      real(dp), intent(in) :: x_min, y_max   !! as those of `outside`
+      real(dp), allocatable, dimension(:) :: area, x, y
+      integer :: n
+      call self%outside(x_min, y_max, x, y, area)
+      load = load_factor*sum([(area(n)*self%strength(x(n), y(n))/self%film_at(x(n), y(n))**2, n=1, size(area))])
+   end function load_outside
+
+   !> Points that stand for what lies beyond the inlet edge and the sides of a domain, upstream of X = 0, to integrate
+   !> over it; of a line contact on its axis.
+   pure subroutine outside(self, x_min, y_max, x, y, area, times)
+      class(far_field_t), intent(in) :: self
       real(dp), intent(in) :: x_min, y_max   !! X of the inlet edge, Y of the side; of line contacts y_max is the
                                              !! strip's width
+      real(dp), allocatable, dimension(:), intent(out) :: x, y, area   !! X <= 0, Y >= 0 and dX dY, both sides counted
+      real(dp), intent(in), optional :: times   !! out to so many times the domain; absent: all that there is
       type(gauss_rule_t) :: rule
-      real(dp) :: corner, phi, half
+      real(dp) :: corner, half, phi
       integer :: k
 
       rule = new_gauss_rule(12)
+      allocate (x(0), y(0), area(0))
       if (self%conditions%is_line()) then
-         load = load_factor*y_max*beyond(1.0_dp, 0.0_dp, -x_min, rule)
+         call add_ray(1.0_dp, 0.0_dp, -x_min, y_max, x, y, area)
          return
       end if
       corner = atan2(y_max, -x_min)
-      load = 0
       do k = 1, rule%n
          half = 0.5_dp*corner                  ! from the axis to the corner
          phi = half*(1 + rule%node(k))
-         load = load + half*rule%weight(k)*beyond(cos(phi), sin(phi), -x_min/cos(phi), rule)
+         call add_ray(cos(phi), sin(phi), -x_min/cos(phi), 2*half*rule%weight(k), x, y, area)
          half = 0.5_dp*(pi/2 - corner)         ! from there to X = 0
          phi = corner + half*(1 + rule%node(k))
-         load = load + half*rule%weight(k)*beyond(cos(phi), sin(phi), y_max/sin(phi), rule)
+         call add_ray(cos(phi), sin(phi), y_max/sin(phi), 2*half*rule%weight(k), x, y, area)
       end do
-      load = load_factor*2*load
 
    contains
 
-      !> int P r dr (of a line int P dr) from the edge outwards in one direction, in edge/r.
-      pure real(dp) function beyond(along, across, edge, rule)
+      !> Points from the edge outwards in one direction, even in edge/r.
+      pure subroutine add_ray(along, across, edge, width, x, y, area)
          real(dp), intent(in) :: along, across, edge
-         type(gauss_rule_t), intent(in) :: rule
-         real(dp) :: h, r, t
-         integer :: n
-         beyond = 0
-         do n = 1, rule%n
-            t = 0.5_dp*(1 + rule%node(n))
-            r = edge/t
-            h = self%film_at(-r*along, r*across)
-            beyond = beyond + 0.5_dp*rule%weight(n)*self%strength(-r*along, r*across)/h**2 &
-                     *edge/t**2*merge(1.0_dp, r, self%conditions%is_line())
-         end do
-      end function beyond
-   end function load_outside
+         real(dp), intent(in) :: width       !! angle that the ray stands for; of a line that of the strip
+         real(dp), allocatable, dimension(:), intent(inout) :: x, y, area
+         real(dp) :: last
+         real(dp), dimension(rule%n) :: r, t
+         last = 0
+         if (present(times)) last = 1/times
+         t = last + 0.5_dp*(1 - last)*(1 + rule%node(:rule%n))
+         r = edge/t
+         x = [x, -r*along]
+         y = [y, r*across]
+         area = [area, 0.5_dp*(1 - last)*width*rule%weight(:rule%n)*edge/t**2 &
+                       *merge(1.0_dp, r, self%conditions%is_line())]
+      end subroutine add_ray
+   end subroutine outside
 
    !> Gap between the dry bodies outside the Hertz zone, 0 inside (Johnson, Contact Mechanics, 1985, section 4.2), (F3):
    !>

@@ -12,7 +12,7 @@ module ehlwave_quantity
       character(len=:), allocatable :: unit          !! '1': a plain number; '': a text
       character(len=kind_length) :: kind = ''        !! 'real', 'integer', 'logical', 'text', or 'list' of real numbers
       logical :: exists = .true.                     !! false: only others have it
-      real(dp) :: number = no_value                  !! of all kinds but text and list; true is 1, false 0
+      real(dp) :: number = no_value                  !! of all kinds but text and list; true is 1, false 0, NaN: unknown
       character(len=:), allocatable :: text
       real(dp), allocatable :: list(:)
    end type quantity_t
@@ -23,11 +23,13 @@ module ehlwave_quantity
       type(quantity_t), allocatable :: items(:)      !! items(:count)
    contains
       procedure :: add
+      procedure :: add_truth
       procedure :: add_list
       procedure :: find
    end type quantity_list_t
 
    integer, parameter :: usual_size = 128
+   integer, parameter, public :: unknown_whole = -1   !! in files, of whole numbers and truths; else NaN or nothing
 
 contains
 
@@ -71,6 +73,17 @@ contains
       if (present(exists)) item%exists = exists
       call append(self, item)
    end subroutine add
+
+   !> Add a logical that may be unknown: one that is not allocated is.
+   subroutine add_truth(self, name, long_name, value, exists)
+      class(quantity_list_t), intent(inout) :: self
+      character(len=*), intent(in) :: name, long_name
+      logical, intent(in), allocatable :: value
+      logical, intent(in), optional :: exists          !! default: true
+      call self%add(name, long_name, .false., exists=exists)
+      self%items(self%count)%number = no_value
+      if (allocated(value)) self%items(self%count)%number = merge(1, 0, value)
+   end subroutine add_truth
 
    !> Add a list of real numbers; one that is not allocated does not exist.
    subroutine add_list(self, name, long_name, value)

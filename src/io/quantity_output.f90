@@ -1,10 +1,11 @@
 !> Quantities to and from JSON, and to HDF5 files.
 module ehlwave_quantity_output
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_json, only: list_json, real_json, string_json
    use ehlwave_json_reader, only: json_number, json_string, split_list
    use ehlwave_kinds, only: i8
-   use ehlwave_quantity, only: quantity_list_t, quantity_t
+   use ehlwave_quantity, only: quantity_list_t, quantity_t, unknown_whole
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -55,7 +56,9 @@ contains
       select case (quantity%kind)
       case ('real'); text = real_json(quantity%number)
       case ('integer'); text = to_text(nint(quantity%number, i8))
-      case ('logical'); text = to_text(quantity%number > 0)
+      case ('logical')
+         text = to_text(quantity%number > 0)
+         if (ieee_is_nan(quantity%number)) text = real_json(quantity%number)
       case ('list'); text = list_json(quantity%list)
       case default; text = string_json(quantity%text)
       end select
@@ -82,13 +85,16 @@ contains
    subroutine write_quantities(file, list)
       type(hdf5_file_t), intent(inout) :: file
       type(quantity_list_t), intent(in) :: list
-      integer :: k
+      integer :: k, whole
       do k = 1, list%count
          associate (q => list%items(k))
             if (.not. q%exists) cycle
             select case (q%kind)
             case ('real'); call file%write(q%name, q%number, q%unit, q%long_name)
-            case ('integer', 'logical'); call file%write(q%name, nint(q%number), q%unit, q%long_name)
+            case ('integer', 'logical')
+               whole = unknown_whole
+               if (.not. ieee_is_nan(q%number)) whole = nint(q%number)
+               call file%write(q%name, whole, q%unit, q%long_name)
             case ('list'); call file%write(q%name, q%list, q%unit, q%long_name)
             case default; call file%attribute(q%name, q%text)
             end select

@@ -27,11 +27,14 @@ module ehlwave_edge_values
       real(dp), allocatable :: strength(:)      !! A
       real(dp) :: load = 0                      !! borne outside the domain, over the nominal one
       real(dp), private :: thickening = 0       ! alpha: d ln(eta)/dP at P = 0
+      real(dp), private :: x_min = 0, y_max = 0 ! where what lies outside begins, as `far_field_t%outside` takes them
+      type(far_field_t), private :: far
    contains
       procedure :: count => count_nodes
       procedure :: inner
       procedure :: compare
       procedure :: run_dry
+      procedure :: film_outside
       procedure :: impose
       procedure :: rough_from
    end type edge_values_t
@@ -47,20 +50,19 @@ contains
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
       type(edge_values_t) :: self
-      type(far_field_t) :: far
       integer :: first, i, j, wet
 
       allocate (self%i(0), self%j(0), self%link(0), self%strength(0))
       if (.not. grid%is_flooded) return
       self%thickening = rheology%thickening()
-      far = new_far_field(conditions, self%thickening)
+      self%far = new_far_field(conditions, self%thickening)
+      self%x_min = grid%x(0) - 0.5_dp*grid%hx
+      self%y_max = merge(grid%hy, grid%y(grid%ny) + 0.5_dp*grid%hy, grid%is_line)   ! of a line the strip's width
+      self%load = self%far%load_outside(self%x_min, self%y_max)
       self%i = [(0, j=0, grid%ny)]
       self%j = [(j, j=0, grid%ny)]
       self%link = merge(west, 0, self%j >= grid%first_row .and. self%j <= grid%last_row)
-      if (grid%is_line) then
-         self%load = far%load_outside(grid%x(0) - 0.5_dp*grid%hx, grid%hy)   ! the strip's width
-      else
-         self%load = far%load_outside(grid%x(0) - 0.5_dp*grid%hx, grid%y(grid%ny) + 0.5_dp*grid%hy)
+      if (.not. grid%is_line) then
          wet = count(grid%x(1:grid%nx - 1) < 0)
          do first = merge(grid%ny, 0, grid%is_half), grid%ny, grid%ny
             self%i = [self%i, (i, i=1, wet)]
@@ -68,7 +70,7 @@ contains
             self%link = [self%link, (merge(south, north, first == 0), i=1, wet)]
          end do
       end if
-      self%strength = far%strength(grid%x(self%i), grid%y(self%j))
+      self%strength = self%far%strength(grid%x(self%i), grid%y(self%j))
    end function new_edge_values
 
    !> Number of nodes.
@@ -120,6 +122,20 @@ contains
       end do
       self%load = self%load*count(.not. is_dry)/max(size(is_dry), 1)
    end subroutine run_dry
+
+   !> Places outside the domain, out to `times` its size: the areas dX dY that they stand for, H and alpha q of the far
+   !> field. None where the edges are not flooded.
+   pure subroutine film_outside(self, times, area, h, thickened)
+      class(edge_values_t), intent(in) :: self
+      real(dp), intent(in) :: times
+      real(dp), allocatable, dimension(:), intent(out) :: area, h, thickened
+      real(dp), allocatable :: x(:), y(:)
+      integer :: n
+      allocate (x(0), y(0), area(0))
+      if (size(self%i) > 0) call self%far%outside(self%x_min, self%y_max, x, y, area, times)
+      h = [(self%far%film_at(x(n), y(n)), n=1, size(area))]
+      thickened = min(self%thickening*self%far%strength(x, y)/h**2, most_thickening)
+   end subroutine film_outside
 
    !> Give the edges the pressures of the far field.
    pure subroutine impose(self, given, h, p)

@@ -1,5 +1,6 @@
 !> The result of one case. Values are NaN until they are computed.
 module ehlwave_case_result
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_field_history, only: field_history_t
    use ehlwave_harmonic_result, only: harmonic_result_t
@@ -36,6 +37,7 @@ module ehlwave_case_result
       real(dp) :: central_film_error = no_value      !! of H(0,0), from the multigrid levels
       real(dp) :: minimum_film_error = no_value      !! of the smallest H, likewise
       real(dp) :: friction_error = no_value          !! of the friction coefficient, likewise
+      real(dp) :: minimum_film_domain_error = no_value, friction_domain_error = no_value   !! parts of them by the edges
       character(len=12) :: film_error_basis = ''     !! what they are from: 'coarse_grid' or 'model'
       real(dp) :: film_order = no_value              !! observed order of H(0,0) on the three finest levels
       real(dp) :: amplitude_ratio_error = no_value   !! of Ad/Ai
@@ -88,6 +90,17 @@ module ehlwave_case_result
       real(dp), allocatable :: shear_stress_pa(:, :) !! mean of the shear stresses at the two surfaces along X, if known
       real(dp), allocatable :: rise_k(:, :, :)       !! if it is warm: of `warm_fields`
       type(field_history_t) :: history               !! fields over time, if asked for
+   contains
+      procedure :: response_error
    end type case_result_t
+
+contains
+
+   !> Relative error of the linear response by the mesh, of two surfaces the larger one.
+   pure real(dp) function response_error(self)
+      class(case_result_t), intent(in) :: self
+      response_error = self%harmonic%error
+      if (ieee_is_finite(self%pair%harmonic%error)) response_error = max(response_error, self%pair%harmonic%error)
+   end function response_error
 
 end module ehlwave_case_result

@@ -34,7 +34,7 @@ contains
       if (ieee_is_finite(result%amplitude_ratio_fit)) then
          result%ratio_errors = errors_in_time(case, plan, result)
       else if (ieee_is_finite(result%harmonic%ratio)) then
-         result%ratio_errors = error_parts_t(mesh=result%harmonic%error, domain=plan%domain_error, &
+         result%ratio_errors = error_parts_t(mesh=result%response_error(), domain=plan%domain_error, &
                                              algebraic=case%response_tolerance)
       end if
       if (plan%inlet%is_short()) call add_meniscus(case, plan, result)
@@ -75,6 +75,8 @@ contains
          parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)
       if (ieee_is_finite(result%harmonic%ratio) .and. .not. layer_changes(case)) &
          parts%amplitude = abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1)
+      if (ieee_is_finite(result%pair%harmonic%ratio)) &
+         parts%amplitude = max(parts%amplitude, abs(result%pair%ratio_fit/result%pair%harmonic%ratio - 1))
    end function errors_in_time
 
    !> The sum, without the domain where its edges are truncated: that is the problem as it was asked for.

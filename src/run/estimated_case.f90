@@ -89,7 +89,7 @@ contains
                     max(maxval(estimates), plan%least_ratio_error(result%central_film_error)) + by_heat
          estimate = max(estimate, plan%light_ratio_error(result%central_film, .true.))
          ! the response to the same waves, where it is there, has no better one
-         if (ieee_is_finite(result%harmonic%error)) estimate = max(estimate, result%harmonic%error)
+         if (ieee_is_finite(result%harmonic%error)) estimate = max(estimate, result%response_error())
          result%amplitude_ratio_error = estimate
          if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
          result%amplitude_error_basis = 'coarse_grid'

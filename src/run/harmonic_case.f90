@@ -10,7 +10,7 @@ module ehlwave_harmonic_case
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
-   use ehlwave_mean_film, only: find_mean_change, has_mean, mean_change_t
+   use ehlwave_mean_film, only: find_mean_change, mean_change_t
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_sensitivity_case, only: find_response_sensitivities
    use ehlwave_shared_steady, only: shared_steady_t
@@ -57,6 +57,7 @@ contains
       work_before = steady%multigrid%work()
       call result%pair%take_responses(plan%surfaces, result%central_film, steady, responses, means)
       result%work = result%work + steady%multigrid%work() - work_before
+      if (.not. allocated(result%pair%surfaces_touch)) return
       if (result%pair%surfaces_touch) call add_warning(result, 'the waves of both surfaces together would touch, '// &
          'to second order: there is no smallest_film_both')
    end subroutine run_responses
@@ -169,7 +170,7 @@ contains
          (plan%model_margin(result%max_pressure)*plan%expected%mesh + phase_factor/plan%resolution%points_x**2))
    end function error_by_model
 
-   !> The change of the mean by waves of this amplitude, where they have a mean.
+   !> The change of the mean by waves of this amplitude, and whether they touch.
    subroutine find_mean(waves, steady, response, result, harmonic, change)
       type(waviness_t), intent(in) :: waves
       type(shared_steady_t), intent(inout) :: steady
@@ -178,7 +179,6 @@ contains
       type(harmonic_result_t), intent(inout) :: harmonic
       type(mean_change_t), intent(out) :: change
 
-      if (.not. has_mean(waves)) return
       associate (problem => steady%multigrid%levels(size(steady%multigrid%levels))%problem)
          ! of waves along a line only the mean along it is known, and only of a flow that is linear in the gradient
          if (problem%grid%is_line .and. waves%wavelength_y > 0 .and. .not. &
@@ -186,7 +186,11 @@ contains
       end associate
       associate (amplitude => waves%amplitude(result%central_film))
          call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, waves, amplitude, change)
-         if (change%status /= status_converged) return
+         if (change%status /= status_converged) then
+            call add_warning(result, 'what the waves do to the mean film is not found (its linear system '// &
+               status_name(change%status)//'): whether they touch is not known')
+            return
+         end if
          call harmonic%take_mean(change, amplitude)
          if (harmonic%surfaces_touch) call add_warning(result, 'waves of '// &
             to_text(100*waves%amplitude_over_film, 3)// &

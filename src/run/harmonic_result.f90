@@ -28,7 +28,8 @@ module ehlwave_harmonic_result
                                              !! case
       real(dp) :: smallest_film = no_value   !! smallest H with waves of that Ai, to second order; none where they would
                                              !! touch
-      logical :: surfaces_touch = .false.       !! mean film and rise do not exceed the amplitude somewhere
+      logical, allocatable :: surfaces_touch !! mean film and rise do not exceed the amplitude somewhere; unallocated:
+                                             !! not known
       real(dp) :: smallest_film_x = no_value, smallest_film_y = no_value   !! where it is
       type(two_wave_result_t) :: waves       !! of which the film consists under slip
       complex(dp), allocatable :: p(:, :), h(:, :)   !! amplitudes of P and H over Ai, if asked for

@@ -3,7 +3,7 @@ module ehlwave_pair_result
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp, no_value
-   use ehlwave_mean_film, only: find_mean_change, has_mean, mean_change_t
+   use ehlwave_mean_film, only: find_mean_change, mean_change_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged
    use ehlwave_surfaces, only: surfaces_t
@@ -21,7 +21,7 @@ module ehlwave_pair_result
                                              !! order
       real(dp) :: cross_rise = no_value      !! part of it that neither surface has alone
       real(dp) :: smallest_film = no_value   !! smallest H with both waves, second order; none where they would touch
-      logical :: surfaces_touch = .false.
+      logical, allocatable :: surfaces_touch !! unallocated: not known
    contains
       procedure :: take_responses
    end type pair_result_t
@@ -67,13 +67,14 @@ contains
       if (.not. self%surfaces_touch) self%smallest_film = minval(film)
    end subroutine take_responses
 
-   !> Whether the waves have one frequency and means; on a line contact also one wave number along it, over which the
-   !> mean is taken.
+   !> Whether the waves have one frequency, and both or neither vary along Y only; on a line contact also one wave
+   !> number along it, over which the mean is taken.
    pure logical function are_tied(surfaces, is_line)
       type(surfaces_t), intent(in) :: surfaces
       logical, intent(in) :: is_line
       associate (first => surfaces%list(1), second => surfaces%list(2))
-         are_tied = has_mean(first) .and. has_mean(second) .and. .not. abs(first%frequency() - second%frequency()) > 0
+         are_tied = first%is_longitudinal() .eqv. second%is_longitudinal()   ! shifts along X and along Y are free
+         are_tied = are_tied .and. .not. abs(first%frequency() - second%frequency()) > 0
          if (is_line) are_tied = are_tied .and. .not. abs(first%wavelength_y - second%wavelength_y) > 0
       end associate
    end function are_tied

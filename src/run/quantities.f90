@@ -190,7 +190,11 @@ contains
       call list%add('march_from', "what the march that Ad/Ai is from started in: 'rest' or 'waves'", trim(result%route))
       call list%add('central_film_error', 'estimated relative error of central_film', result%central_film_error)
       call list%add('minimum_film_error', 'estimated relative error of minimum_film', result%minimum_film_error)
+      call list%add('minimum_film_error_domain', 'part of it by the edges of the domain', &
+                    result%minimum_film_domain_error)
       call list%add('friction_error', 'estimated relative error of friction_coefficient', result%friction_error)
+      call list%add('friction_error_domain', 'part of it by the oil outside the domain, out to radius_x_m from the '// &
+                    'centre and at least twice the domain', result%friction_domain_error)
       call list%add('film_error_basis', 'what the errors of film and friction are from', trim(result%film_error_basis))
       call list%add('film_order', 'observed order of central_film on three levels', result%film_order)
       call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error)
@@ -198,8 +202,8 @@ contains
                     trim(result%amplitude_error_basis))
       call add_parts(list, 'film', 'H(0,0)', result%film_errors)
       call add_parts(list, 'ratio', 'Ad/Ai', result%ratio_errors)
-      call list%add('error_estimate', 'sum of the parts of the error of Ad/Ai, of smooth contacts of H(0,0): what '// &
-                    'accuracy is about', result%error_estimate)
+      call list%add('error_estimate', 'sum of the parts of the error of Ad/Ai, of two surfaces of the worse one, '// &
+                    'of smooth contacts of H(0,0): what accuracy is about', result%error_estimate)
       call list%add('refinements', 'runs on finer grids than the first, for an accuracy', result%refinements)
       call list%add('validity', 'what the result holds for: edges, linear range, warnings', &
                     validity_text(case, plan, result%warning))
@@ -278,8 +282,8 @@ contains
       type(case_result_t), intent(in) :: result
 
       associate (r => result%shear, c => plan%conditions)
-         call list%add('friction_coefficient', 'friction of the smooth contact over the load, mean of both surfaces', &
-                       r%friction_coefficient)
+         call list%add('friction_coefficient', 'friction of the smooth contact over the load, within the domain, '// &
+                       'mean of both surfaces', r%friction_coefficient)
          call list%add('largest_b', 'largest |B|, shear rate times viscosity over the stress of the flow law', &
             r%largest_b)
          call list%add('tangent_factor_x', 'flow along X under a small gradient over the Newtonian one, at the '// &
@@ -356,16 +360,16 @@ contains
       call list%add('phase_fit_2', 'phase of their harmonic fit against their pattern at the centre', pair%phase_fit, &
          unit='rad', exists=is_pair)
       call add_response(list, pair%harmonic, '_2', is_pair)
-      call list%add('film_rms_both', 'rms of H(0,0) by the waves of both surfaces over central_film, phases free, '// &
-         'linear responses', pair%film_rms, exists=is_pair)
+      call list%add('film_rms_both', 'rms of H(0,0) by the waves of both surfaces over central_film, phases free '// &
+         'even where the waves have one frequency, linear responses', pair%film_rms, exists=is_pair)
       call list%add('mean_film_rise_both', 'mean film with the waves of both surfaces less smooth film over Ai of '// &
          'the first, second order, linear responses', pair%mean_rise, exists=is_pair)
       call list%add('mean_film_rise_cross', 'part of mean_film_rise_both that neither surface has alone', &
          pair%cross_rise, exists=is_pair)
       call list%add('smallest_film_both', 'smallest film with the waves of both surfaces anywhere at any time, '// &
-         'second order', pair%smallest_film, exists=is_pair)
-      call list%add('surfaces_touch_both', '1 when both waves together would touch, second order', &
-         pair%surfaces_touch, exists=is_pair)
+         'phases free even where the waves have one frequency, second order', pair%smallest_film, exists=is_pair)
+      call list%add_truth('surfaces_touch_both', '1 when both waves together would touch, second order; -1: not '// &
+         'known', pair%surfaces_touch, exists=is_pair)
    end subroutine add_pair
 
    !> The linear response to the waves of a surface.
@@ -399,8 +403,8 @@ contains
          harmonic%smallest_film_x)
       call put('smallest_film_y', 'Y of the smallest film with waves, or of where they would touch', &
          harmonic%smallest_film_y)
-      call put('surfaces_touch', '1 when waves of Ai would touch the other surface, second order: there is no '// &
-         'smallest_film', harmonic%surfaces_touch)
+      call list%add_truth('surfaces_touch'//number, '1 when waves of Ai would touch the other surface, second '// &
+         'order: there is no smallest_film; -1: not known'//of, harmonic%surfaces_touch, exists=exists)
       call add_waves()
       call put('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
       call put('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the '// &

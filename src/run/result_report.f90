@@ -53,7 +53,7 @@ contains
       end if
       call print_sensitivities()
       if (ieee_is_finite(result%central_film_error)) write (unit, &
-         '(a)') 'Estimated    relative errors of the grid: H(0,0) '// &
+         '(a)') 'Estimated    relative errors: H(0,0) by the grid '// &
          to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)// &
          friction_error()//trim(merge(' (from a model)', '               ', result%film_error_basis == 'model'))// &
          amplitude_error()

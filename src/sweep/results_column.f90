@@ -3,12 +3,11 @@ module ehlwave_results_column
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_kinds, only: dp, no_value
-   use ehlwave_quantity, only: quantity_t
+   use ehlwave_quantity, only: quantity_t, unknown_whole
    implicit none (type, external)
    private
 
    integer, parameter :: longest_text = 4096      !! what is longer is cut
-   real(dp), parameter :: missing = -1            !! in place of a whole number; else NaN or nothing
 
    !> A value that has a length.
    type :: cell_t
@@ -41,7 +40,7 @@ contains
       case ('text', 'list')
          allocate (self%cells(cases))
       case default
-         allocate (self%numbers(cases), source=merge(no_value, missing, quantity%kind == 'real'))
+         allocate (self%numbers(cases), source=merge(no_value, real(unknown_whole, dp), quantity%kind == 'real'))
       end select
    end subroutine init
 
@@ -62,7 +61,7 @@ contains
       case ('real')
          self%numbers(case) = value%number
       case default
-         self%numbers(case) = merge(value%number, missing, ieee_is_finite(value%number))
+         self%numbers(case) = merge(value%number, real(unknown_whole, dp), ieee_is_finite(value%number))
       end select
    end subroutine set
 

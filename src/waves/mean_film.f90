@@ -5,8 +5,8 @@
 !>
 !>     u2 = -J0^(-1) < R(u0 + A Re(u1 exp(-i phi))) - R(u0) >,    the mean over phases phi.
 !>
-!> The derivative in time has no mean. Four phases are exact to second order. A pattern that varies along Y only
-!> stands still: its mean is that of crest and trough, two phases.
+!> The derivative in time has no mean. Four phases are exact to second order; of a pattern that stands still they are
+!> four places of it along X. One that varies along Y only has the mean of crest and trough, two phases.
 module ehlwave_mean_film
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_hierarchy, only: level_t
@@ -17,7 +17,7 @@ module ehlwave_mean_film
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
-   public :: find_mean_change, has_mean
+   public :: find_mean_change
 
    !> Of the linear residual: 1e-4 leaves 0.1 % of the rise in the median of 48 cases, but 26 % at M = 50, D = 0.12,
    !> longitudinal, 2.8 a; 1e-5 leaves 0.4 % there, 1e-6 0.1 %. A step of GMRES each.
@@ -41,13 +41,7 @@ module ehlwave_mean_film
 
 contains
 
-   !> Whether a pattern has a mean in this sense: it moves, or varies along Y only.
-   pure logical function has_mean(waviness)
-      type(waviness_t), intent(in) :: waviness
-      has_mean = waviness%moves() .or. waviness%is_longitudinal()
-   end function has_mean
-
-   !> Mean change by a pattern that `has_mean`.
+   !> Mean change by a pattern.
    subroutine find_mean_change(tangent, levels, response, waviness, amplitude, change)
       type(steady_tangent_t), intent(inout) :: tangent
       type(level_t), intent(inout), target :: levels(:)   !! those of `tangent`
@@ -62,7 +56,7 @@ contains
       associate (grid => levels(size(levels))%problem%grid)
          allocate (b(tangent%linear%n))
          probe = probe_over_film*grid%value_at_centre(tangent%state%h)
-         call mean_residual(tangent, levels(size(levels)), response, merge(4, 2, waviness%moves()), probe, b)
+         call mean_residual(tangent, levels(size(levels)), response, merge(2, 4, waviness%is_longitudinal()), probe, b)
          b = (amplitude/probe)**2*b
          call tangent%solve(levels, b, tolerance, second, in_single=.true.)
          change%status = second%status

@@ -52,6 +52,7 @@ class Response(TestCase):
             self.assertTrue(whole["mean_film_rise"] > 0 and whole["smallest_film"] > 0)
             self.assertIsNone(less["mean_film_rise"])
             self.assertIsNone(less["smallest_film"])
+            self.assertIsNone(less["surfaces_touch"])
             self.assertLess(less["counted_work_units"], whole["counted_work_units"] - 5)
             self.assertLess(less["expected_work_units"], whole["expected_work_units"])
 

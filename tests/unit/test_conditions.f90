@@ -108,6 +108,7 @@ contains
                                relative=1e-12_dp)
          call test%check_close(c%s, c%a_m**2/(2*data%radius_x_m*c%c_m), 'S = a^2/(2 Rx c)', relative=1e-12_dp)
          call test%check_close(1 - c%s, c%b_m**2/(2*data%radius_y_m*c%c_m), '1 - S = b^2/(2 Ry c)', relative=1e-11_dp)
+         call test%check_close(c%radius_over_a(), data%radius_x_m/c%a_m, 'Rx/a', relative=1e-12_dp)
          call conditions_from_moes(c%m, c%l, c%d, data%pressure_viscosity_per_pa, same, error)
          call test%check_close([same%lambdabar, same%hertz_pressure_pa], [c%lambdabar, c%hertz_pressure_pa], &
                                'the other route', relative=1e-12_dp)

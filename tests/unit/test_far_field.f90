@@ -16,6 +16,7 @@ program test_far_field
    call check_line()
    call check_ratio()
    call check_load()
+   call check_outside()
    call test%finish()
 
 contains
@@ -129,5 +130,18 @@ contains
       far = new_far_field(c, 0.0_dp)
       call test%check_close(far%load_outside(-r0, 4/3.0_dp), 3/(2*pi)*4/3.0_dp*c%lambdabar/(6*r0**2), 'line', relative=2e-2_dp)
    end subroutine check_load
+
+   !> The ring from a domain to three times it, upstream, has its area; of a line a strip.
+   subroutine check_outside()
+      type(far_field_t) :: far
+      real(dp), allocatable, dimension(:) :: area, x, y
+      far = new_far_field(contact(100.0_dp, 12.05_dp, 0.3_dp), 10.0_dp)
+      call far%outside(-2.5_dp, 2.0_dp, x, y, area, times=3.0_dp)
+      call test%check_close(sum(area), (3**2 - 1)*2.5_dp*4.0_dp, 'area of the ring', relative=1e-4_dp)
+      call test%check(all(x < 0 .and. y > 0 .and. max(-x/2.5_dp, y/2) > 1 .and. max(-x/2.5_dp, y/2) < 3), 'within the ring')
+      far = new_far_field(contact(100.0_dp, 12.05_dp, 0.0_dp), 10.0_dp)
+      call far%outside(-2.5_dp, 4/3.0_dp, x, y, area, times=3.0_dp)
+      call test%check_close(sum(area), 5*4/3.0_dp, 'area of the strip', relative=1e-4_dp)
+   end subroutine check_outside
 
 end program test_far_field

@@ -11,7 +11,7 @@ program test_quantities
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantities, only: add_case, add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t, quantity_t
-   use ehlwave_quantity_output, only: json_columns, json_values, take_json
+   use ehlwave_quantity_output, only: json_columns, json_object, json_values, take_json
    use testing, only: test_t
    implicit none (type, external)
 
@@ -87,6 +87,11 @@ contains
       call add_result(list, case, plan, result)
       call test%check(.not. list%items(list%find('residual_history'))%exists, 'a history that is not')
       result%residual_history = [1.0_dp, 0.1_dp]
+      call test%check(index(json_object(list), '"surfaces_touch": null') > 0, 'a truth that is not known')
+      result%harmonic%surfaces_touch = .true.
+      list = quantity_list_t()
+      call add_result(list, case, plan, result)
+      call test%check(index(json_object(list), '"surfaces_touch": true') > 0, 'a truth that is known')
       call add_case(what, case, plan)
       call test%check_equal(what%find('central_film'), 0, 'no outcome in what the case is')
    end subroutine check_values

@@ -158,11 +158,13 @@ contains
       type(quantity_list_t) :: list
       type(column_t) :: column
       type(error_t), allocatable :: error
+      logical, allocatable :: unknown
       integer :: k
       call list%add('length', 'a length', 0.5_dp, unit='m')
       call list%add('steps', 'a number of steps', 4)
       call list%add('word', 'a word', 'here')
       call list%add('nobody', 'what no case has', 1.0_dp, exists=.false.)
+      call list%add_truth('touch', 'what is not known', unknown)
       call file%create(partial, error)
       call file%write('case', [1, 2, 3], '1', 'number')
       call file%dimension('case')
@@ -178,6 +180,7 @@ contains
          call test%check(all(ieee_is_nan(length([1, 3]))), 'NaN elsewhere')
       end associate
       call test%check_close(numbers_of(partial, 'steps'), [-1.0_dp, 4.0_dp, -1.0_dp], 'whole number', relative=0.0_dp)
+      call test%check_close(numbers_of(partial, 'touch'), [-1.0_dp, -1.0_dp, -1.0_dp], 'a truth that is not known', relative=0.0_dp)
       call test%check_equal(text_of(partial, 'word', 1)//text_of(partial, 'word', 2), 'here', 'text')
       call test%check_equal(size(numbers_of(partial, 'nobody')), 0, 'a column that no case has is left out')
    end subroutine check_partial_columns

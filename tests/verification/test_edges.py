@@ -44,6 +44,33 @@ class Edges(TestCase):
         self.assertLess(abs(films[1] - films[2]), 0.5*abs(films[0] - films[2]))
         self.check_close(contact(20, 5, 1, LARGE, "truncated")["central_film"], films[2], 0.002, "truncated")
 
+    def test_errors_have_what_lies_outside(self):
+        """On one mesh a domain four times as large (rubber: twice) changes both by less than their errors by the domain."""
+        sliding = {"conditions": {"slip_parameter": 1.6, "reduced_modulus_pa": 2.26e11}}
+        soft = {"conditions": {"radius_x_m": 0.01, "radius_y_m": 0.05, "reduced_modulus_pa": 2e7, "load_n": 5.0, "mean_speed_m_per_s": 0.5,
+                               "viscosity_pa_s": 0.05, "slip_parameter": 1.2}, "lubricant": {"viscosity_law": "isoviscous"}}
+        for name, cells, times, groups in (
+                ("light", 32, 4, {"m": 5, "l": 2, "d": 1, **sliding}),
+                ("isoviscous", 32, 4, {"m": 100, "l": 3, "d": 0.2, **sliding, "lubricant": {"viscosity_law": "isoviscous"}}),
+                ("thinning", 32, 4, {"m": 20, "l": 5, "d": 1, **sliding, "lubricant": {"flow_law": "eyring", "eyring_stress_pa": 5e6}}),
+                ("rubber", 96, 2, soft)):
+            small, large = (solve(**groups, grid={"x_min": -2.5*size, "x_max": 1.5*size, "y_max": 2*size, "edges": "flooded",
+                                                  "cells_x": cells*size, "cells_y": cells*size}) for size in (1, times))
+            for quantity, error in (("friction_coefficient", "friction_error"), ("minimum_film", "minimum_film_error")):
+                off = abs(small[quantity]/large[quantity] - 1)
+                report(f"{name}: {quantity} {off:.2%} off, declared {small[error + '_domain']:.2%} of {small[error]:.2%}")
+                self.assertLess(off, small[error + "_domain"], f"{name}: {quantity}")
+                self.assertLess(small[error + "_domain"], small[error])
+
+    def test_rolling_has_no_friction_and_no_error_of_it(self):
+        rolling = solve(m=100, l=12.05, d=1, grid={"cells_x": 32, "cells_y": 32}, conditions={"reduced_modulus_pa": 2.26e11})
+        self.assertEqual([rolling[name] for name in ("friction_coefficient", "friction_error", "friction_error_domain")], [0, None, None])
+
+    def test_heavy_steel_hardly_feels_what_lies_outside(self):
+        heavy = solve(m=500, l=12, d=0.3, grid={"cells_x": 96, "cells_y": 64, "edges": "flooded"}, conditions={"slip_parameter": 1.1, "reduced_modulus_pa": 2.26e11},
+                      lubricant={"flow_law": "eyring", "eyring_stress_pa": 5e6})
+        self.assertTrue(0 < heavy["friction_error_domain"] < 0.01)
+
     def test_line(self):
         """The far field of a line contact is exact but for Hertz's gap: measured 1e-6 of the film."""
         for m, l in ((100, 11), (20, 5)):  # noqa: E741

@@ -35,10 +35,23 @@ class MeanFilm(TestCase):
                  for amplitude in (0.1, 0.2)]
         self.check_close(rises[1], 2*rises[0], 1e-6, "rise over Ai at twice the amplitude")
 
-    def test_patterns_that_stand_still_have_none(self):
-        result = solve(m=100, d=1, grid=GRID, waviness=waves("transverse", 1, 0.2, "harmonic"),
-                       conditions={"slip_parameter": 0})
-        self.assertIsNone(result["mean_film_rise"])
+    def test_patterns_that_stand_still(self):
+        """The mean over their places, against the steady states of eight: 0.4 and 0.2 %. And whether they touch."""
+        standing = {"m": 100, "d": 1, "grid": GRID, "conditions": {"slip_parameter": 0}}
+        for orientation in ("transverse", "isotropic"):
+            places = solve(**standing, waviness=waves(orientation, 1, 0.02, "transient"), solver={"error_estimate": "model", "tolerance": 1e-8})
+            rise = (places["mean_film"] - places["central_film"])/(0.02*places["central_film"])
+            small = solve(**standing, waviness=waves(orientation, 1, 0.02, "harmonic"))
+            report(f"{orientation}: {self.check_close(small['mean_film_rise'], rise, 0.01, orientation):.2%} off")
+            self.assertIs(small["surfaces_touch"], False)
+        large = solve(**standing, waviness=waves("transverse", 1, 1, "harmonic"))
+        self.assertEqual((large["surfaces_touch"], large["smallest_film"]), (True, None))
+        self.assertIn("would touch the other surface", large["warning"])
+
+    def test_waves_along_a_line_whose_mean_is_not_known(self):
+        result = solve(m=50, d=0, grid={"cells_x": 64}, waviness=waves("isotropic", 1, 1, "harmonic"))
+        self.assertGreater(result["harmonic_ratio"], 0)
+        self.assertEqual((result["surfaces_touch"], result["smallest_film"]), (None, None))
 
 
 if __name__ == "__main__":

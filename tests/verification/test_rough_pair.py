@@ -75,6 +75,19 @@ class RoughPair(TestCase):
         report(f"Ad/Ai {abs(march(state)):.5f} and {abs(march(state, '_2')):.5f}, march from rest {abs(march(settled)):.5f} "
                f"and {abs(march(settled, '_2')):.5f}; rise over that to second order {rise/expected:.3f}")
 
+    def test_the_error_is_that_of_the_worse_surface(self):
+        """Short waves on either surface: the same case in other words says the same."""
+        found = []
+        for slip, lengths in ((1.5, (2, 0.4)), (0.5, (0.4, 2))):
+            pair = solve(m=100, d=1, grid={"cells_x": 96, "cells_y": 64}, conditions={"slip_parameter": slip},
+                         waviness=wave(lengths[0], 0.05, "harmonic"), waviness2=wave(lengths[1], 0.05, None))
+            self.assertEqual(pair["ratio_error_mesh"], max(pair["harmonic_error"], pair["harmonic_error_2"]))
+            found.append(pair["error_estimate"])
+        self.check_close(found[0], found[1], 1e-6, "error_estimate")
+        accurate = solve(m=100, d=1, conditions={"slip_parameter": 1.5}, waviness=wave(2, 0.05, "harmonic"), waviness2=wave(0.4, 0.05, None),
+                         grid={"cells_x": 0, "cells_y": 0, "edges": "flooded"}, solver={"accuracy": 0.1})
+        self.assertTrue(accurate["status"] == "inaccurate" or max(accurate["harmonic_error"], accurate["harmonic_error_2"]) <= 0.1)
+
     def test_one_pattern_in_two_parts(self):
         """In pure rolling equal waves on both surfaces are one of the sum of their amplitudes: Ai and 2 Ai as 3 Ai."""
         groups = {"m": 100, "d": 1, "grid": GRID, "solver": {**BY_MODEL, "step_tolerance": 1e-7}}

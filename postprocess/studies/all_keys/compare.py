@@ -23,6 +23,10 @@ FILM_PARTS = ("film_error_mesh", "film_error_meniscus", "film_error_algebraic")
 RATIO_PARTS = tuple(
     f"ratio_error_{part}" for part in ("mesh", "meniscus", "time", "settling", "algebraic")
 )
+DOMAIN_PARTS = {
+    "smallest H": "minimum_film_error_domain",
+    "friction": "friction_error_domain",
+}
 NUMBERS = {
     "H(0,0)": (("central_film",), FILM_PARTS),
     "smallest H": (("minimum_film",), ("minimum_film_error", "film_error_algebraic")),
@@ -67,6 +71,7 @@ def findings(found: Row, finer: Row) -> list[Finding]:
             continue
         off = LIMIT * abs(value - other) / max(abs(value), 1e-300)
         declared = sum(_number(found[name]) for name in errors if name in found)
+        declared -= _number(found.get(DOMAIN_PARTS.get(number, ""), 0.0))
         result.append(Finding(number, abs(value), abs(other), off, declared))
     return result
 
