@@ -27,7 +27,7 @@ program ehlwave_case
    use ehlwave_status, only: is_success
    use ehlwave_store_folder, only: refuse_inside_store
    use ehlwave_terminal, only: complain, print_last
-   use ehlwave_threads, only: take_threads, thread_count, wait_briefly
+   use ehlwave_threads, only: take_threads, thread_count, threads_notice, wait_briefly
    implicit none (type, external)
 
    character(len=*), parameter :: usage(19) = [character(len=120) :: &
@@ -58,7 +58,7 @@ program ehlwave_case
    type(error_t), allocatable :: error
    type(log_monitor_t) :: monitor
    type(quantity_list_t) :: quantities
-   character(len=:), allocatable :: shortage
+   character(len=:), allocatable :: notice, shortage
    integer :: i
    logical :: is_written
 
@@ -80,6 +80,7 @@ program ehlwave_case
 
    call read_case(trim(arguments%files(1)), case, error)
    if (.not. allocated(error)) then
+      notice = threads_notice(case%threads)
       call take_threads(case%threads)
       if (thread_count() > 1) call wait_briefly()
       call make_plan(case, plan, error)
@@ -95,6 +96,7 @@ program ehlwave_case
       if (allocated(error)) call fail(error%message, 2)
    end if
 
+   if (notice /= '') call complain('ehlwave-case', notice)
    call print_plan(output_unit, case, plan)
    if (arguments%has('--plan')) then
       call add_plan(quantities, case, plan)
