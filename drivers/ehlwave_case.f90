@@ -4,6 +4,7 @@ program ehlwave_case
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: read_case
+   use ehlwave_case_files, only: paths_read
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
@@ -38,7 +39,7 @@ program ehlwave_case
       '  --plan           say what would be computed, on which grid and why; compute nothing', &
       '  --json           last line of the output: plan or result as one JSON object', &
       '  --output FILE    write result, history at the contact centre and fields to an HDF5 file', &
-      '  --overwrite      even where FILE exists and is no result of ehlwave', &
+      '  --overwrite      even where FILE exists and is no result of ehlwave-case', &
       '  --quiet          no progress lines', &
       '  --keys           all keys of an input, with defaults and meaning; --json: as one JSON object', &
       '  --version        version of the program; --verbose: with build, libraries, processor', &
@@ -91,8 +92,8 @@ program ehlwave_case
       case%fields = .true.
       call refuse_inside_store(arguments%value('--output'), error)
       call check_output_path(arguments%value('--output'), [character(len=len(arguments%files)) :: arguments%files(1), &
-                                                           case%surface_file, case%second%surface_file], &
-                             arguments%has('--overwrite'), error)
+                                                           paths_read(plan%files)], arguments%has('--overwrite'), &
+                             error, format='ehlwave-case')
       if (allocated(error)) call fail(error%message, 2)
    end if
 
