@@ -14,6 +14,7 @@ from ehlwave.traction import Traction, read_keys, regimes, traction, traction_fi
 from ehlwave.traction_cli import text_of
 
 ROLLERS = Path(__file__).resolve().parents[2] / "inputs/rollers.nml"
+MEASURED = ROLLERS.with_name("measured_oil.nml")
 LIMIT = 0.03
 
 
@@ -63,6 +64,25 @@ def test_friction_is_linear_where_slip_is_small_and_of_a_newtonian_oil() -> None
     newtonian = {k: v for k, v in cold.items() if k not in ("flow_law", "eyring_stress_pa")}
     found = traction(newtonian, [0.01, 1.0], progress=False).table
     assert found["regime"].tolist() == ["linear", "linear"]
+
+
+def test_an_oil_that_was_measured_at_several_temperatures(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROLLERS.parents[1])
+    keys = read_keys(MEASURED) | {"cells_x": 64, "cells_y": 64}
+    assert traction(keys, [0.01, 0.1], progress=False).table["regime"].tolist() == 2 * ["linear"]
+
+
+def test_moes_parameters_are_refused_before_anything_is_computed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    case = tmp_path / "moes.nml"
+    case.write_text(
+        "&conditions load_parameter_m=99, lubricant_parameter_l=9, radius_ratio_d=1 /\n"
+    )
+    assert main(["traction", str(case)]) == 2
+    said = capsys.readouterr().err
+    assert "give radius_x_m" in said
+    assert said.count("\n") == 1
 
 
 def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
