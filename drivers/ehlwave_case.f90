@@ -4,6 +4,7 @@ program ehlwave_case
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: read_case
+   use ehlwave_case_files, only: paths_read
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
@@ -27,7 +28,7 @@ program ehlwave_case
    use ehlwave_status, only: is_success
    use ehlwave_store_folder, only: refuse_inside_store
    use ehlwave_terminal, only: complain, print_last
-   use ehlwave_threads, only: take_threads, thread_count, wait_briefly
+   use ehlwave_threads, only: take_threads, thread_count, threads_notice, wait_briefly
    implicit none (type, external)
 
    character(len=*), parameter :: usage(19) = [character(len=120) :: &
@@ -38,7 +39,7 @@ program ehlwave_case
       '  --plan           say what would be computed, on which grid and why; compute nothing', &
       '  --json           last line of the output: plan or result as one JSON object', &
       '  --output FILE    write result, history at the contact centre and fields to an HDF5 file', &
-      '  --overwrite      even where FILE exists and is no result of ehlwave', &
+      '  --overwrite      even where FILE exists and is no result of ehlwave-case', &
       '  --quiet          no progress lines', &
       '  --keys           all keys of an input, with defaults and meaning; --json: as one JSON object', &
       '  --version        version of the program; --verbose: with build, libraries, processor', &
@@ -58,7 +59,7 @@ program ehlwave_case
    type(error_t), allocatable :: error
    type(log_monitor_t) :: monitor
    type(quantity_list_t) :: quantities
-   character(len=:), allocatable :: shortage
+   character(len=:), allocatable :: notice, shortage
    integer :: i
    logical :: is_written
 
@@ -80,6 +81,7 @@ program ehlwave_case
 
    call read_case(trim(arguments%files(1)), case, error)
    if (.not. allocated(error)) then
+      notice = threads_notice(case%threads)
       call take_threads(case%threads)
       if (thread_count() > 1) call wait_briefly()
       call make_plan(case, plan, error)
@@ -90,11 +92,12 @@ program ehlwave_case
       case%fields = .true.
       call refuse_inside_store(arguments%value('--output'), error)
       call check_output_path(arguments%value('--output'), [character(len=len(arguments%files)) :: arguments%files(1), &
-                                                           case%surface_file, case%second%surface_file], &
-                             arguments%has('--overwrite'), error)
+                                                           paths_read(plan%files)], arguments%has('--overwrite'), &
+                             error, format='ehlwave-case')
       if (allocated(error)) call fail(error%message, 2)
    end if
 
+   if (notice /= '') call complain('ehlwave-case', notice)
    call print_plan(output_unit, case, plan)
    if (arguments%has('--plan')) then
       call add_plan(quantities, case, plan)

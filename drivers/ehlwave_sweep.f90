@@ -4,6 +4,7 @@ program ehlwave_sweep
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_table, only: read_output_name, read_sweep
    use ehlwave_errors, only: error_t
+   use ehlwave_output_path, only: check_output_name
    use ehlwave_petsc_library, only: finish_petsc
    use ehlwave_process, only: catch_signals, end_program, ignore_write_signals
    use ehlwave_provenance, only: git_revision, program_version
@@ -22,9 +23,9 @@ program ehlwave_sweep
    use mpi_f08, only: mpi_bcast, mpi_comm_rank, mpi_comm_world, mpi_finalize, mpi_init, mpi_logical
    implicit none (type, external)
 
-   character(len=*), parameter :: usage(33) = [character(len=120) :: &
+   character(len=*), parameter :: usage(34) = [character(len=120) :: &
       'Usage: mpirun -n RANKS ehlwave-sweep SWEEP.nml [--plan] [--output FILE.h5] [--time-limit TIME]', &
-      '                                     [--retry failed|version] [--overwrite]', &
+      '                                     [--retry failed|version|files] [--overwrite]', &
       '       ehlwave-sweep --status FILE.h5|SWEEP.nml', &
       '', &
       'Runs every combination of the lists in a sweep file, or every row of its CSV file; ranks take', &
@@ -40,6 +41,7 @@ program ehlwave_sweep
       '                    checkpoints of those under way, exit with status 85', &
       '  --retry failed    run cases that did not converge, and those set aside, once more', &
       '  --retry version   run cases of other versions of the program once more', &
+      '  --retry files     run cases once more whose files had other numbers when they were stored', &
       '  --overwrite       drop the store and the results file, begin anew', &
       '  --status FILE     say what a store holds (counts, slowest, failed, time left); compute nothing', &
       '  --keys            all keys of a sweep file, with defaults and meaning; --markdown: as inputs/README.md', &
@@ -85,6 +87,7 @@ program ehlwave_sweep
    else if (rank == 0) then
       call read_sweep(trim(arguments%files(1)), sweep, error, begins_anew=options%overwrite)
    end if
+   if (rank == 0 .and. arguments%has('--plan')) call check_output_name(sweep%output, error)
    call refuse_together()
    if (rank == 0) call say_lines(output_unit, sweep%notice)
    if (arguments%has('--plan')) then
@@ -155,8 +158,8 @@ contains
    subroutine read_options()
       options%overwrite = arguments%has('--overwrite')
       options%retry = arguments%value('--retry')
-      if (options%retry /= '' .and. options%retry /= 'failed' .and. options%retry /= 'version') &
-         call refuse("--retry '"//trim(options%retry)//"' is not one of failed, version")
+      if (all(options%retry /= [character(len=7) :: '', 'failed', 'version', 'files'])) &
+         call refuse("--retry '"//trim(options%retry)//"' is not one of failed, version, files")
       if (options%overwrite .and. options%retry /= '') call refuse('--overwrite and --retry contradict each other')
       if (arguments%has('--time-limit')) then
          call read_time(arguments%value('--time-limit'), '--time-limit', options%time_limit_s, error)

@@ -132,3 +132,14 @@ def test_formats_that_do_not_fit_are_refused(
     assert main(["export", *words]) == 2
     assert said in capsys.readouterr().err
     assert not {"a.vtr", "a.csv"} & {path.name for path in tmp_path.iterdir()}
+
+
+def test_a_text_that_no_file_can_hold_is_said(tmp_path: Path, capsys: Capture) -> None:
+    case = write_case(tmp_path / "c.h5")
+    with h5py.File(case, "a") as file:
+        file.attrs["status"] = np.array("conv\0erged", dtype=h5py.string_dtype(length=12))
+    assert main(["export", str(case), "--netcdf", str(tmp_path / "c.nc")]) == 2
+    said = capsys.readouterr().err
+    assert "cannot hold" in said
+    assert said.count("\n") == 1
+    assert not (tmp_path / "c.nc").exists()

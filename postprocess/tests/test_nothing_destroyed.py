@@ -10,10 +10,11 @@ from drawn_folders import CONDITIONS, DrawnFolder, Snapshot
 from matplotlib.figure import Figure
 from synthetic import make_columns, write_results
 
-from ehlwave import case_figures, figures, results_cli
+from ehlwave import case_figures, cli, figures, results_cli
 from ehlwave.cli import main
 from ehlwave.deform import cli as deform_cli
 from ehlwave.deform import figures as deform_figures
+from ehlwave.inputs import inputs
 from ehlwave.refit import RefitRow
 from ehlwave.writing import LIST_NAME, OutputError, Writer
 
@@ -183,3 +184,27 @@ def test_files_have_the_modes_of_other_files(tmp_path: Path) -> None:
     (tmp_path / "plain").write_text("")
     made = Writer().text(tmp_path / "a.csv", "1")
     assert made.stat().st_mode == (tmp_path / "plain").stat().st_mode
+
+
+def test_files_that_an_input_file_names_are_inputs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("it's").mkdir()
+    oil = Path("it's", "traction.csv")
+    oil.write_text("pressure_pa,viscosity_pa_s\n")
+    case = Path("case.nml")
+    case.write_text("&lubricant viscosity_table = 'it''s/traction.csv', viscosity_law='table' /\n")
+    for words in (
+        ["traction", "case.nml"],
+        ["replenish", "--conditions", "eyring_stress_pa=5e6", "case.nml", "--track-length", "1"],
+        ["stress", "case.h5", "--conditions", "case.nml"],
+    ):
+        options = cli.command_parser().parse_args([*words, "--output", "it's", "--overwrite"])
+        writer = Writer(inputs(options), overwrite=True)
+        with pytest.raises(OutputError, match="is the input it's/traction"):
+            writer.text(oil, "lost")
+    assert main(["traction", "case.nml", "--output", "it's", "--overwrite"]) == 2
+    assert oil.read_text() == "pressure_pa,viscosity_pa_s\n"
+    case.write_bytes(b"&lubricant viscosity_table = '\xff'\n&&/\0")
+    assert str(case) in map(str, inputs(cli.command_parser().parse_args(["traction", "case.nml"])))

@@ -14,6 +14,7 @@ from ehlwave.traction import Traction, read_keys, regimes, traction, traction_fi
 from ehlwave.traction_cli import summary, text_of
 
 ROLLERS = Path(__file__).resolve().parents[2] / "inputs/rollers.nml"
+MEASURED = ROLLERS.with_name("measured_oil.nml")
 LIMIT = 0.03
 
 
@@ -69,6 +70,25 @@ def test_friction_is_linear_where_slip_is_small_and_of_a_newtonian_oil() -> None
     assert beyond[0].startswith("from slide_to_roll_ratio = 1 on: the shear stress is above")
     assert f"Warning      {beyond[0]}" in text_of(found)
     assert summary(found)["warnings"] == found.warnings
+
+
+def test_an_oil_that_was_measured_at_several_temperatures(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROLLERS.parents[1])
+    keys = read_keys(MEASURED) | {"cells_x": 64, "cells_y": 64}
+    assert traction(keys, [0.01, 0.1], progress=False).table["regime"].tolist() == 2 * ["linear"]
+
+
+def test_moes_parameters_are_refused_before_anything_is_computed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    case = tmp_path / "moes.nml"
+    case.write_text(
+        "&conditions load_parameter_m=99, lubricant_parameter_l=9, radius_ratio_d=1 /\n"
+    )
+    assert main(["traction", str(case)]) == 2
+    said = capsys.readouterr().err
+    assert "give radius_x_m" in said
+    assert said.count("\n") == 1
 
 
 def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,7 +7,7 @@ module ehlwave_case_files
    use ehlwave_key_list, only: key_list_t
    implicit none (type, external)
    private
-   public :: case_files, note_digest
+   public :: case_files, changed_file, file_digests, note_digest, paths_read
 
    type, public :: case_file_t
       character(len=key_length) :: name = ''                !! in results: NAME_file, NAME_digest
@@ -41,6 +41,39 @@ contains
          end associate
       end do
    end function case_files
+
+   !> Paths of the files that are read.
+   pure function paths_read(files) result(paths)
+      type(case_file_t), intent(in) :: files(:)
+      character(len=:), allocatable :: paths(:)
+      integer :: i, length
+      length = maxval([0, (len(files(i)%path), i=1, size(files))])
+      allocate (character(len=length) :: paths(0))
+      do i = 1, size(files)
+         if (files(i)%path /= '') paths = [character(len=length) :: paths, files(i)%path]
+      end do
+   end function paths_read
+
+   !> Digests of all files, one behind the other: with the input they are all that a result follows from.
+   pure function file_digests(files) result(digests)
+      type(case_file_t), intent(in) :: files(:)
+      character(len=:), allocatable :: digests
+      integer :: i
+      digests = ''
+      do i = 1, size(files)
+         digests = digests//files(i)%digest
+      end do
+   end function file_digests
+
+   !> Number of the first file that holds other numbers than when these `file_digests` were taken, 0: none does.
+   pure integer function changed_file(files, digests) result(i)
+      type(case_file_t), intent(in) :: files(:)
+      character(len=*), intent(in) :: digests
+      do i = 1, size(files)
+         if (digests((i - 1)*identity_length + 1:i*identity_length) /= files(i)%digest) return
+      end do
+      i = 0
+   end function changed_file
 
    !> Note the digest of what a file holds.
    subroutine note_digest(files, path, digest)

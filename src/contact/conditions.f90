@@ -104,14 +104,34 @@ contains
       else
          call set_ellipse(self)
       end if
-      if (.not. (self%lambdabar > 0 .and. self%alphabar <= largest_alphabar .and. self%lambdabar < huge(m))) then
-         call raise(error, 'load_parameter_m = '//to_text(m, 6)//' and lubricant_parameter_l = '//to_text(l, 6)// &
-                    ' give alpha ph = '//to_text(self%alphabar, 4)//', which is outside the model range (at most '// &
-                    to_text(largest_alphabar, 3)//')')
-         return
-      end if
+      call check_range(self, error)
+      if (allocated(error)) return
       self%hertz_pressure_pa = self%alphabar/alpha_per_pa
    end subroutine conditions_from_moes
+
+   !> Refuse a load beyond the model, by alpha ph ~ M^(1/3), of line contacts M^(1/2), or beyond numbers, by lambdabar.
+   subroutine check_range(self, error)
+      type(conditions_t), intent(in) :: self
+      type(error_t), allocatable, intent(inout) :: error
+      real(dp), parameter :: rounded_off = 0.995_dp   ! three digits of a bound, rounded, are within it
+      character(len=:), allocatable :: given
+      real(dp) :: largest_m
+
+      given = 'load_parameter_m = '//to_text(self%m, 6)//' and lubricant_parameter_l = '//to_text(self%l, 6)//' give '
+      if (.not. self%alphabar <= largest_alphabar) then
+         largest_m = rounded_off*self%m*(largest_alphabar/self%alphabar)**merge(2, 3, self%is_line())
+         given = given//'alpha ph = '//to_text(self%alphabar, 4)//', which is outside the model range (at most '// &
+                 to_text(largest_alphabar, 3)//'): give '
+         if (largest_m > 0) then
+            call raise(error, given//'a load whose load_parameter_m is at most '//to_text(largest_m, 3))
+         else
+            call raise(error, given//'a smaller lubricant_parameter_l')
+         end if
+      else if (.not. (self%lambdabar > 0 .and. self%lambdabar < huge(self%lambdabar))) then
+         call raise(error, given//'lambdabar = '//to_text(self%lambdabar, 4)//', beyond what numbers hold: '// &
+                    'give a '//trim(merge('smaller', 'larger ', self%m > 1))//' load_parameter_m')
+      end if
+   end subroutine check_range
 
    !> Scales of an elliptical contact, theory eq. (3) to (6).
    pure subroutine set_ellipse(self)

@@ -31,6 +31,16 @@ __attribute__((constructor)) static void need_avx2(void)
 }
 #endif
 
+/* Before a program opens anything: a standard stream that is closed would be its next file or pipe. Nothing can be written to
+   what holds its place, so that a closed standard output is noticed as before. */
+__attribute__((constructor)) static void hold_standard_streams(void)
+{
+   int file;
+   do file = open("/dev/null", O_RDONLY);
+   while (file >= 0 && file <= STDERR_FILENO);
+   if (file >= 0) close(file);
+}
+
 /* Place of the first or last byte of a kind in a text, counted from 1; 0: there is none. */
 long ehlwave_find(const char *text, long length, int byte, int backward)
 {

@@ -6,11 +6,12 @@
 module ehlwave_threads
    use, intrinsic :: iso_c_binding, only: c_int
    use ehlwave_kinds, only: dp
+   use ehlwave_text, only: to_text
    !$ use omp_lib, only: omp_get_max_threads, omp_get_num_threads, omp_get_thread_num, omp_set_num_threads
    implicit none (type, external)
    private
    public :: announce, await, can_share, is_shared, own_cores, share_of_cores, take_threads, team_size, thread_count, &
-      thread_number, wait_briefly
+      thread_number, threads_notice, wait_briefly
 
    integer, parameter :: least_shared = 8192        !! values; to share fewer takes longer than to do the work
    integer, parameter, public :: row_block = 16     !! rows of a grid that a thread takes at once
@@ -49,7 +50,8 @@ contains
       !$ can_share = .true.
    end function can_share
 
-   !> Threads in use from now on. None asked for: as many as the environment says (OMP_NUM_THREADS), else `cores`.
+   !> Threads in use from now on. None asked for: as many as the environment says (OMP_NUM_THREADS), else `cores`; never
+   !> more than `most_threads`.
    subroutine take_threads(asked_for, cores)
       integer, intent(in) :: asked_for            !! 0: none
       integer, intent(in), optional :: cores      !! that this process has to itself; absent: all that it may use
@@ -58,13 +60,23 @@ contains
 
       call get_environment_variable('OMP_NUM_THREADS', environment)
       threads = asked_for
-      if (threads == 0 .and. environment == '') then
-         threads = thread_count()
+      if (threads == 0) threads = thread_count()
+      if (asked_for == 0 .and. environment == '') then
          if (present(cores)) threads = cores
          threads = min(threads, core_quota())
       end if
-      !$ if (threads > 0) call omp_set_num_threads(min(threads, most_threads))
+      !$ call omp_set_num_threads(min(threads, most_threads))
    end subroutine take_threads
+
+   !> A line for the user where the environment asks for more threads than one contact can have, else ''. To be asked
+   !> before `take_threads`.
+   function threads_notice(asked_for) result(notice)
+      integer, intent(in) :: asked_for            !! by the input, 0: nothing
+      character(len=:), allocatable :: notice
+      notice = ''
+      if (asked_for == 0 .and. thread_count() > most_threads) notice = 'OMP_NUM_THREADS = '//to_text(thread_count())// &
+         ' is taken as '//to_text(most_threads)//', the most that share one contact'
+   end function threads_notice
 
    !> How much of each core this process has, of `users` processes that may use it: whole cores.
    pure integer function share_of_cores(is_mine, users) result(cores)

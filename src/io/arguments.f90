@@ -38,6 +38,8 @@ contains
             return
          end if
          if (argument(1:1) /= '-' .or. argument == '-') then
+            call refuse_blank_end(argument, length, error)
+            if (allocated(error)) return
             arguments%files = [character(len=longest) :: arguments%files, argument]
             cycle
          end if
@@ -51,6 +53,7 @@ contains
                call get_command_argument(i, value, length)      ! blank after the last one
                if (length > longest) value = ''
             end if
+            if (value /= '') call refuse_blank_end(merge(argument, value, equal <= longest), length, error)
             if (value == '') call raise(error, trim(name)//' needs a value, of at most '//to_text(longest)// &
                ' characters')
          else if (.not. any(switches == name) .or. equal <= longest) then
@@ -62,6 +65,15 @@ contains
          arguments%values = [character(len=longest) :: arguments%values, value]
       end do
    end subroutine read_arguments
+
+   !> Refuse what ends in a blank, which Fortran leaves out: another file would be read or written.
+   subroutine refuse_blank_end(argument, length, error)
+      character(len=*), intent(in) :: argument
+      integer, intent(in) :: length                 !! of it, as it was given
+      type(error_t), allocatable, intent(inout) :: error
+      if (length > len_trim(argument)) call raise(error, "'"//shown(argument(:length))// &
+         "' ends in a blank, which would be left out: give it without")
+   end subroutine refuse_blank_end
 
    !> Whether a switch or option was given.
    pure logical function has(self, name)

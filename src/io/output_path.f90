@@ -8,7 +8,7 @@ module ehlwave_output_path
    use ehlwave_text, only: shown
    implicit none (type, external)
    private
-   public :: check_output_path
+   public :: check_output_name, check_output_path
 
    character(len=*), parameter :: suffix = '.h5'
 
@@ -17,11 +17,12 @@ contains
    !> Refuse a name under which no file can be made, under which there is something else than a regular file, or a file
    !> that the run reads: those are never replaced. A file that is no result of the programs is replaced where
    !> overwriting is asked for. Removes what a process that died has left of this file.
-   subroutine check_output_path(path, inputs, overwrites, error)
+   subroutine check_output_path(path, inputs, overwrites, error, format)
       character(len=*), intent(in) :: path
       character(len=*), intent(in) :: inputs(:)   !! files that the run reads; blank: none
       logical, intent(in) :: overwrites
       type(error_t), allocatable, intent(inout) :: error
+      character(len=*), intent(in), optional :: format   !! of the results that are replaced without a word; absent: all
       integer :: slash
 
       if (allocated(error)) return
@@ -33,8 +34,8 @@ contains
       select case (file_kind(path))
       case (kind_none, kind_file)
          call refuse_inputs(path, inputs, error)
-         if (.not. allocated(error)) call refuse_suffix(path, slash, error)
-         call refuse_foreign(path, overwrites, error)
+         call check_output_name(path, error)
+         if (.not. overwrites) call refuse_foreign(path, format, error)
          if (allocated(error)) return
          call refuse_unwritable(path, error)
          call clear_temporaries(path(:slash)//'.', path(slash + 1:))
@@ -48,16 +49,16 @@ contains
    end subroutine check_output_path
 
    !> Results are HDF5, and their names say so: no two of them have the same store then, either.
-   subroutine refuse_suffix(path, slash, error)
+   subroutine check_output_name(path, error)
       character(len=*), intent(in) :: path
-      integer, intent(in) :: slash                !! place of the last one, 0: none
       type(error_t), allocatable, intent(inout) :: error
-      if (len(path) - slash > len(suffix)) then
+      if (allocated(error)) return
+      if (len(path) - index(path, '/', back=.true.) > len(suffix)) then
          if (path(len(path) - len(suffix) + 1:) == suffix) return
       end if
       call raise(error, 'cannot write '//path//': results are HDF5 files; give a name that ends in '//suffix// &
                  ' (ehlwave export makes CSV of them)')
-   end subroutine refuse_suffix
+   end subroutine check_output_name
 
    subroutine refuse_inputs(path, inputs, error)
       character(len=*), intent(in) :: path, inputs(:)
@@ -70,13 +71,16 @@ contains
       end do
    end subroutine refuse_inputs
 
-   subroutine refuse_foreign(path, overwrites, error)
+   subroutine refuse_foreign(path, format, error)
       character(len=*), intent(in) :: path
-      logical, intent(in) :: overwrites
+      character(len=*), intent(in), optional :: format
       type(error_t), allocatable, intent(inout) :: error
-      if (allocated(error) .or. overwrites) return
+      if (allocated(error)) return
       if (file_kind(path) == kind_none) return
-      if (.not. is_own_result(path)) call raise(error, 'cannot write '//path// &
+      if (is_own_result(path, format)) return
+      if (is_own_result(path)) call raise(error, 'cannot write '//path//': it is a result of another program of '// &
+         'ehlwave, of a sweep perhaps; give another name, or --overwrite')
+      if (.not. allocated(error)) call raise(error, 'cannot write '//path// &
          ': it exists and is no result of ehlwave, or '// &
          'a damaged one; move it away or give another name (--overwrite replaces it and, of a sweep, drops the '// &
          'store, too)')

@@ -26,13 +26,15 @@ contains
 
    !> A regular file that says that it is one: HDF5 with the attributes `format` and `program_version` of ours. One that
    !> cannot be read is none.
-   logical function is_own_result(path)
+   logical function is_own_result(path, format)
       character(len=*), intent(in) :: path
+      character(len=*), intent(in), optional :: format   !! the one that it has to be; absent: any
       is_own_result = .false.
       if (file_kind(path) /= kind_file) return
       looking = looking_t(path=path)
       if (guarded(c_funloc(read_attributes)) == 0) is_own_result = any(formats == looking%format) .and. &
          looking%has_version
+      if (present(format)) is_own_result = is_own_result .and. looking%format == format
    end function is_own_result
 
    !> The library does not survive every file that is damaged or meant to harm.

@@ -14,7 +14,7 @@ module ehlwave_checkpoint_file
    implicit none (type, external)
    private
 
-   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 6 '//program_version//' '//git_revision//' '// &
+   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 7 '//program_version//' '//git_revision//' '// &
       compiler//' '//compiler_flags
 
    integer, parameter :: bytes_of_real = storage_size(1.0_dp)/8
@@ -29,11 +29,12 @@ module ehlwave_checkpoint_file
       procedure :: count => pass_count
    end type bytes_t
 
-   !> Where the checkpoint of one case is kept, and when. The file is replaced as a whole and carries a checksum;
-   !> one that is torn, of another case or of another build of the program is not used.
+   !> Where the checkpoint of one case is kept, and when. The file is replaced as a whole and carries a checksum; one
+   !> that is torn, of another case, of other numbers in the files that the case reads, or of another build of the
+   !> program is not used.
    type, extends(march_keeper_t), public :: checkpoint_t
       character(len=:), allocatable :: path
-      character(len=16) :: identity = ''        !! of the case
+      character(len=:), allocatable :: identity !! of the case and of what its files hold
       real(dp) :: interval_s = 600              !! between two files while the case runs
       real(dp) :: start_s = 0                   !! wall_seconds at the start of the case in this run
       logical, private :: is_kept = .false.     ! `kept` is newer than the file

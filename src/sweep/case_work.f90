@@ -2,6 +2,7 @@
 module ehlwave_case_work
    use ehlwave_case_account, only: refused_result
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_files, only: file_digests
    use ehlwave_case_record, only: store_result
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: input_identity
@@ -79,7 +80,7 @@ contains
       call watch%store%start(identity, error)
       if (.not. allocated(error)) then
          checkpoint%path = watch%store%checkpoint_path(identity)
-         checkpoint%identity = identity
+         checkpoint%identity = identity//file_digests(plan%files)
          checkpoint%interval_s = watch%limits%checkpoint_seconds
          checkpoint%start_s = watch%case_start_s
          ! A case that does not even notice that its time is up hangs: this process ends itself.

@@ -1,12 +1,13 @@
 !> The messages between rank 0 and the others: all of MPI that the work on cases needs.
 !>
 !> A request is answered by a case (number 0: there is none), every case by its outcome, and rank 0 sends exactly one
-!> `stop` to each of the others. A case travels as its effective input, so only rank 0 reads the sweep file; results do
-!> not travel: every rank puts its own into the store. Rank 0 does not wait until a case is received: whoever it is for
-!> may be in the middle of a long step.
+!> `stop` to each of the others. A case travels as its effective input with the digests of the files that it reads, so
+!> only rank 0 reads the sweep file; results do not travel: every rank puts its own into the store. Rank 0 does not wait
+!> until a case is received: whoever it is for may be in the middle of a long step.
 module ehlwave_messages
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: case_from_text
+   use ehlwave_case_files, only: case_file_t, changed_file, file_digests
    use ehlwave_case_plan, only: make_plan
    use ehlwave_outcome, only: outcome_t
    use ehlwave_case_text, only: effective_input
@@ -94,15 +95,16 @@ contains
    end subroutine outbox_init
 
    !> Rank 0: answer a request. Returns at once.
-   subroutine send_case(self, rank, number, case)
+   subroutine send_case(self, rank, number, case, files)
       class(outbox_t), intent(inout) :: self
       integer, intent(in) :: rank, number
-      type(case_t), intent(in), optional :: case   !! absent: there is none
+      type(case_t), intent(in), optional :: case            !! absent: there is none
+      type(case_file_t), intent(in), optional :: files(:)   !! of its plan
       character(len=:), allocatable :: text
 
       text = repeat(' ', number_digits)
       write (text, '(i12)') number
-      if (present(case)) text = text//merge('T', 'F', case%fields)//effective_input(case)
+      if (present(case)) text = text//merge('T', 'F', case%fields)//effective_input(case)//file_digests(files)
       call self%post(rank, tag_case, text)
    end subroutine send_case
 
@@ -140,7 +142,8 @@ contains
       end do
    end subroutine wait_for_all
 
-   !> Receive a case and plan it as rank 0 did. Fails when it does not come out the same.
+   !> Receive a case and plan it as rank 0 did. Fails when it does not come out the same, as where a file that it reads
+   !> was changed since.
    subroutine receive_case(comm, number, case, plan, input, error)
       type(mpi_comm), intent(in) :: comm
       integer, intent(out) :: number
@@ -150,7 +153,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(mpi_status) :: status
       character(len=:), allocatable :: text
-      integer :: length
+      integer :: changed, input_end, length
 
       call mpi_probe(0, tag_case, comm, status)
       call mpi_get_count(status, mpi_character, length)
@@ -158,13 +161,19 @@ contains
       call mpi_recv(text, length, mpi_character, 0, tag_case, comm, mpi_status_ignore)
       read (text(:number_digits), *) number
       if (number == no_case) return
-      input = text(number_digits + 2:)
+      input_end = index(text, new_line('a'), back=.true.)
+      input = text(number_digits + 2:input_end)
       call case_from_text(input, case, error)
       if (.not. allocated(error)) call make_plan(case, plan, error)
       case%fields = text(number_digits + 1:number_digits + 1) == 'T'
-      if (.not. allocated(error)) then
-         if (effective_input(case) /= input) &
-            call raise(error, 'case '//to_text(number)//' arrived with another input')
+      if (allocated(error)) return
+      changed = changed_file(plan%files, text(input_end + 1:))
+      if (changed > 0) then
+         call raise(error, plan%files(changed)%key//" = '"//plan%files(changed)%path// &
+            "' was changed while the sweep was at work (--retry files runs cases once more that were stored with "// &
+            'other numbers)')
+      else if (effective_input(case) /= input) then
+         call raise(error, 'case '//to_text(number)//' arrived with another input')
       end if
    end subroutine receive_case
 

@@ -5,7 +5,7 @@ module ehlwave_outcome
    implicit none (type, external)
    private
 
-   integer, parameter, public :: message_length = 256   !! longest message told to rank 0
+   integer, parameter, public :: message_length = 1024   !! longest message told to rank 0: it can name files
 
    type, public :: outcome_t
       integer :: case = 0                     !! its number
@@ -13,6 +13,7 @@ module ehlwave_outcome
       real(dp) :: seconds = 0
       character(len=message_length) :: message = ''
       logical :: is_store_broken = .false.    !! the message says why
+      logical :: is_input_changed = .false.   !! a file cannot be read any more as rank 0 did; the message says which
    end type outcome_t
 
 end module ehlwave_outcome

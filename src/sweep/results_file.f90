@@ -94,7 +94,8 @@ contains
          do k = 1, size(columns)
             if (place(i) > 0) then
                associate (record => contents%cases(place(i)))
-                  call take_record(record%element(number(k, record%layout)), inputs%items(k))
+                  if (inputs%items(k)%name /= 'effective_input') &   ! which a record has in short
+                     call take_record(record%element(number(k, record%layout)), inputs%items(k))
                end associate
             end if
             call columns(k)%set(i, inputs%items(k))
@@ -105,11 +106,12 @@ contains
       end do
    end subroutine write_inputs
 
-   !> The value of a record, where it has one and that is a number.
+   !> The value of a record, where it has one of that kind; an empty text is none.
    subroutine take_record(text, quantity)
       character(len=*), intent(in) :: text
       type(quantity_t), intent(inout) :: quantity
-      if (text == '' .or. index(text, '"') > 0) return
+      if (text == '' .or. text == '""') return
+      if ((index(text, '"') > 0) .neqv. (quantity%kind == 'text')) return
       call take_json(text, quantity)
    end subroutine take_record
 

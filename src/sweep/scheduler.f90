@@ -36,6 +36,7 @@ module ehlwave_scheduler
    type, abstract, extends(case_watch_t), public :: leader_t
       type(queue_t) :: queue
       logical :: is_store_broken = .false.    !! a rank could not store a case
+      logical :: is_input_changed = .false.   !! a rank could not read a file of a case as rank 0 did
       type(sweep_t), pointer :: sweep => null()
       type(mpi_comm), private :: comm
       type(outbox_t), private :: outbox
@@ -201,7 +202,7 @@ contains
       else
          call self%queue%take(rank, case)
          self%running = self%running + 1
-         call self%outbox%send_case(rank, case, self%sweep%cases(case))
+         call self%outbox%send_case(rank, case, self%sweep%cases(case), self%sweep%plans(case)%files)
       end if
    end subroutine answer
 
@@ -212,9 +213,12 @@ contains
 
       if (outcome%status == status_pending .or. outcome%status == status_interrupted) then
          self%is_stopping = .true.
-         if (outcome%is_store_broken .and. .not. self%is_store_broken) self%reason = outcome%message
+         if ((outcome%is_store_broken .and. .not. self%is_store_broken) .or. &
+             (outcome%is_input_changed .and. .not. (self%is_store_broken .or. self%is_input_changed))) &
+            self%reason = outcome%message
          if (self%reason == '') self%reason = 'a signal asked for it'
          self%is_store_broken = self%is_store_broken .or. outcome%is_store_broken
+         self%is_input_changed = self%is_input_changed .or. outcome%is_input_changed
       else
          call self%queue%learn(outcome%case, outcome%seconds)
          call self%count_case(outcome)
@@ -253,11 +257,11 @@ contains
          call worker%exchange()
          outcome = outcome_t()
          if (allocated(error)) then
-            outcome = outcome_t(message=error%message, is_store_broken=.true.)
+            outcome = outcome_t(message=error%message, is_input_changed=.true.)
          else if (.not. worker%is_stopping) then
             call work_on_case(run, case, plan, input, worker, shared, outcome)
          end if
-         if (outcome%is_store_broken) worker%is_stopping = .true.
+         if (outcome%is_store_broken .or. outcome%is_input_changed) worker%is_stopping = .true.
          outcome%case = number
          call outbox%send_outcome(outcome)
          call send_word(comm, 0, ask)

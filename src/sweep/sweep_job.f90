@@ -1,5 +1,6 @@
 !> One run of a sweep from its store to its results file, on all ranks.
 module ehlwave_sweep_job
+   use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_case_work, only: case_procedure, case_watch_t
    use ehlwave_clock, only: rest_for, wall_seconds
    use ehlwave_errors, only: error_t
@@ -8,8 +9,8 @@ module ehlwave_sweep_job
    use ehlwave_store, only: store_t
    use ehlwave_sweep_cases, only: case_limits_t, sweep_t
    use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_not_written, job_options_t, job_t
-   use ehlwave_terminal, only: complain
-   use ehlwave_threads, only: most_cores, own_cores, share_of_cores, take_threads
+   use ehlwave_terminal, only: complain, say
+   use ehlwave_threads, only: most_cores, own_cores, share_of_cores, take_threads, threads_notice
    use mpi_f08, only: mpi_allreduce, mpi_bcast, mpi_byte, mpi_character, mpi_comm, mpi_comm_free, mpi_comm_rank, &
       mpi_comm_size, mpi_comm_split_type, mpi_comm_type_shared, mpi_get_library_version, mpi_get_processor_name, &
       mpi_ibarrier, mpi_info_null, mpi_integer, mpi_logical, mpi_lor, mpi_max_library_version_string, &
@@ -34,6 +35,7 @@ contains
       type(job_t) :: job
       type(case_watch_t) :: watch
       type(error_t), allocatable :: error
+      character(len=:), allocatable :: notice
       real(dp) :: start_s
       integer :: cases, rank, ranks
 
@@ -48,6 +50,8 @@ contains
          return
       end if
       call share(comm, sweep, store, watch%limits, cases)
+      notice = threads_notice(watch%limits%threads)
+      if (rank == 0 .and. notice /= '') call say(output_unit, 'NOTICE: '//notice)
       call take_threads(watch%limits%threads, cores_of_rank(comm, cases))
       watch%store => store
       watch%deadline_s = start_s + options%time_limit_s

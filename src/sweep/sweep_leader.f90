@@ -2,6 +2,7 @@
 !> up to date, and reports the outcome at the end.
 module ehlwave_sweep_leader
    use, intrinsic :: iso_fortran_env, only: output_unit
+   use ehlwave_case_files, only: paths_read
    use ehlwave_case_list, only: case_list_t
    use ehlwave_case_text, only: input_identity
    use ehlwave_outcome, only: outcome_t
@@ -12,7 +13,7 @@ module ehlwave_sweep_leader
    use ehlwave_output_path, only: check_output_path
    use ehlwave_own_result, only: is_own_result
    use ehlwave_paths, only: is_within
-   use ehlwave_posix, only: reason_text, remove_file
+   use ehlwave_posix, only: file_kind, kind_none, reason_text, remove_file
    use ehlwave_provenance, only: program_version
    use ehlwave_results_writer, only: results_writer_t
    use ehlwave_scheduler, only: leader_t
@@ -41,7 +42,7 @@ module ehlwave_sweep_leader
    !> Options of the command line.
    type, public :: job_options_t
       logical :: overwrite = .false.
-      character(len=16) :: retry = ''            !! 'failed' or 'version'
+      character(len=16) :: retry = ''            !! 'failed', 'version' or 'files'
       real(dp) :: time_limit_s = huge(1.0_dp)    !! from the start of the program on
    end type job_options_t
 
@@ -131,17 +132,16 @@ contains
    function files_read(sweep) result(files)
       type(sweep_t), intent(in) :: sweep
       character(len=:), allocatable :: files(:)
-      integer :: i
+      character(len=:), allocatable :: more(:)
+      integer :: i, k
 
       allocate (character(len=0) :: files(0))
       if (allocated(sweep%files)) files = sweep%files
       do i = 1, size(sweep%cases)
-         associate (case => sweep%cases(i))
-            if (case%is_measured() .and. .not. any(files == case%surface_file)) &
-               files = [character(len=max(len(files), len_trim(case%surface_file))) :: files, case%surface_file]
-            if (case%second%is_measured() .and. .not. any(files == case%second%surface_file)) files = [ &
-               character(len=max(len(files), len_trim(case%second%surface_file))) :: files, case%second%surface_file]
-         end associate
+         more = paths_read(sweep%plans(i)%files)
+         do k = 1, size(more)
+            if (.not. any(files == more(k))) files = [character(len=max(len(files), len(more))) :: files, more(k)]
+         end do
       end do
    end function files_read
 
@@ -217,7 +217,9 @@ contains
       lost = self%progress%done() - sum(stored)
       if (lost > 0 .and. .not. allocated(error)) call raise(error, to_text(lost)// &
          ' cases were reported as done but are '// &
-         'not in the store '//self%writer%folder//': is the disk broken? The same command computes them again')
+         'not in the store '//self%writer%folder//': '// &
+         trim(merge('was it moved or removed', 'is the disk broken     ', &
+                    file_kind(self%writer%folder) == kind_none))//'? The same command computes again what is not there')
 
       call self%progress%tick(self%queue%seconds_left(), is_last=.true.)
       call print_sweep_result(output_unit, self%progress, self%sweep%output)
@@ -227,12 +229,13 @@ contains
          call say(output_unit, time_stamp()//' stopped, because '//trim(self%reason)// &
             '; the same command goes on with the rest')
       end if
+      if (self%is_input_changed) code = exit_bad_input
       if (self%is_store_broken .or. allocated(error)) code = exit_not_written
       call print_last(time_stamp()//' the end, exit status '//to_text(code), is_written)
       if (.not. is_written) call complain('ehlwave-sweep', &
          'standard output could not be written; the results are in '//self%writer%folder)
       if (.not. is_written .and. code /= exit_unfinished) code = exit_not_written
-      if (self%is_store_broken) call complain('ehlwave-sweep', trim(self%reason))
+      if (self%is_store_broken .or. self%is_input_changed) call complain('ehlwave-sweep', trim(self%reason))
       if (allocated(error)) call complain('ehlwave-sweep', error%message)
    end subroutine conclude
 

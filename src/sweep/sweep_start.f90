@@ -10,6 +10,7 @@ module ehlwave_sweep_start
    use ehlwave_json_reader, only: json_string
    use ehlwave_kinds, only: dp
    use ehlwave_own_result, only: is_own_result
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_status, only: is_success, status_crashed, status_pending
    use ehlwave_store, only: store_t
    use ehlwave_store_contents, only: contents_t
@@ -29,7 +30,7 @@ contains
       type(sweep_t), intent(in) :: sweep
       class(store_t), intent(in) :: store
       type(contents_t), intent(in) :: contents
-      character(len=*), intent(in) :: retry          !! '', 'failed' or 'version': what to run again
+      character(len=*), intent(in) :: retry          !! '', 'failed', 'version' or 'files': what to run again
       logical, intent(out) :: to_run(:)
       integer, intent(out) :: status(:)              !! of the last record, else pending
       real(dp), intent(out) :: seconds(:)            !! wall time, 0: none
@@ -45,7 +46,8 @@ contains
          status(i) = contents%cases(place)%status
          seconds(i) = contents%cases(place)%seconds
          to_run(i) = status(i) == status_pending .or. (retry == 'failed' .and. .not. is_success(status(i))) .or. &
-                     (retry == 'version' .and. .not. contents%logs(contents%cases(place)%log)%is_by_this_build)
+                     (retry == 'version' .and. .not. contents%logs(contents%cases(place)%log)%is_by_this_build) .or. &
+                     (retry == 'files' .and. changed_file(sweep%plans(i), contents, place) > 0)
          if (sweep%cases(i)%fields .and. .not. to_run(i)) then
             has_fields = is_own_result(store%fields_path(sweep%identity(i)))   ! and whole
             to_run(i) = is_success(status(i)) .and. .not. has_fields
@@ -53,30 +55,44 @@ contains
       end do
    end subroutine choose_cases
 
-   !> Refuse to go on where a stored result is that of another content of a file that the case reads: an identity holds
-   !> the path.
+   !> Number of the first file of a case that holds other numbers than when its result was stored, 0: none does. An
+   !> identity holds the path alone.
+   integer function changed_file(plan, contents, place) result(f)
+      type(case_plan_t), intent(in) :: plan
+      type(contents_t), intent(in) :: contents
+      integer, intent(in) :: place                   !! of the case in the contents
+      character(len=:), allocatable :: stored
+      do f = 1, size(plan%files)
+         if (plan%files(f)%path == '') cycle
+         stored = json_string(contents%value(place, trim(plan%files(f)%name)//'_digest'))
+         if (stored /= '' .and. stored /= plan%files(f)%digest) return
+      end do
+      f = 0
+   end function changed_file
+
+   !> Refuse to go on where a stored result is that of another content of a file that the case reads.
    subroutine refuse_changed_files(sweep, contents, to_run, error)
       type(sweep_t), intent(in) :: sweep
       type(contents_t), intent(in) :: contents
       logical, intent(in) :: to_run(:)
       type(error_t), allocatable, intent(inout) :: error
-      character(len=:), allocatable :: stored
-      integer :: f, i
+      integer :: f, first, i, others
 
-      do i = 1, size(sweep%cases)
+      others = 0
+      do i = size(sweep%cases), 1, -1
          if (to_run(i)) cycle
-         do f = 1, size(sweep%plans(i)%files)
-            if (allocated(error)) return
-            associate (file => sweep%plans(i)%files(f))
-               if (file%path == '') cycle
-               stored = json_string(contents%value(contents%index%find(sweep%identity(i)), trim(file%name)//'_digest'))
-               if (stored == '' .or. stored == file%digest) cycle
-               call raise(error, file%key//" = '"//file%path//"' has other numbers than when case "//to_text(i)// &
-                          ' was stored: put the old file back, give the new one another name, or begin anew with '// &
-                          '--overwrite')
-            end associate
-         end do
+         f = changed_file(sweep%plans(i), contents, contents%index%find(sweep%identity(i)))
+         if (f == 0) cycle
+         first = i
+         others = others + 1
       end do
+      if (others == 0 .or. allocated(error)) return
+      f = changed_file(sweep%plans(first), contents, contents%index%find(sweep%identity(first)))
+      associate (file => sweep%plans(first)%files(f))
+         call raise(error, file%key//" = '"//file%path//"' has other numbers than when case "//to_text(first)// &
+                    ' was stored ('//to_text(others)//' of '//to_text(size(to_run))//' cases): --retry files runs '// &
+                    'these once more; or put the old file back, or give the new one another name')
+      end associate
    end subroutine refuse_changed_files
 
    !> Cases whose process died in two runs are stored as `crashed` and not tried again; says so.

@@ -125,6 +125,25 @@ class Destruction(unittest.TestCase):
         self.assertEqual(run(*words[:-1], folder=self.folder).returncode, 0)
         self.assertEqual(run("case", "in.nml", "--quiet", "--output", "out.h5", folder=self.folder).returncode, 0)
 
+    def test_a_case_does_not_replace_a_sweep(self):
+        self.copy()
+        self.refuse(["a sweep", "--overwrite"], "case", "in.nml", "--quiet", "--output", "r.h5")
+        self.refuse(["ends in a blank"], "case", "in.nml", "--quiet", "--output", "new.h5 ")
+        self.refuse(["ends in a blank"], "sweep", "sweep.nml", "--output=new.h5 ")
+        self.refuse(["ends in a blank"], "case", "in.nml ", "--plan")
+        for _ in range(2):
+            self.assertEqual(run("case", "in.nml", "--quiet", "--output", "r.h5", "--overwrite", folder=self.folder).returncode, 0)
+        self.refuse(["ends in .h5"], "sweep", "sweep.nml", "--plan", "--output", "r.csv")
+
+    def test_a_table_of_the_oil_is_an_input(self):
+        self.copy()
+        (self.folder/"oil.h5").write_text("pressure_pa,viscosity_pa_s\n0,0.05\n1e8,0.3\n4e8,20\n1e9,5e3\n")
+        for program, group in [("case", "conditions"), ("sweep", "sweep")]:
+            (self.folder/"oil.nml").write_text(namelist({
+                group: {"load_parameter_m": 100, "lubricant_parameter_l": 8, "radius_ratio_d": 1},
+                "lubricant": {"viscosity_law": "table", "viscosity_table": "oil.h5"}}))
+            self.refuse(["which the run reads"], program, "oil.nml", "--output", "oil.h5", "--overwrite")
+
     def test_results_in_a_store(self):
         self.copy()
         for name in ["r.store/x.h5", "r.store/fields/x.h5", "r.store/../r.store/x.h5"]:

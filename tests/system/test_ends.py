@@ -217,6 +217,17 @@ class Output(Ends):
                     code, said = self.read_lines(command, lines)
                     self.assertEqual((code, said), (0, ""))
 
+    def test_closed_streams(self):
+        """Nothing that a program opens takes their places: a closed standard output is one that could not be written."""
+        self.write_case(32)
+        for command in ((CASE, "case.nml", "--quiet"), (SWEEP, "sweep.nml")):
+            for closed, status in ((">&-", NOT_WRITTEN), ("<&- >&-", NOT_WRITTEN), ("<&- >&- 2>&-", NOT_WRITTEN), ("<&- 2>&-", 0)):
+                with self.subTest(program=Path(command[0]).name, closed=closed):
+                    outcome = self.call("bash", "-c", f'exec "$@" {closed}', "-", *command)
+                    self.check_status(outcome, status)
+                    if "2>" not in closed:
+                        self.assertRegex(outcome.stderr, r"^ehlwave-(case|sweep): standard output could not be written")
+
     def read_lines(self, command, lines):
         reader, writer = os.pipe()
         with os.fdopen(reader) as stream:

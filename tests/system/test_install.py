@@ -107,7 +107,7 @@ class Install(FolderTest):
             for option in options:
                 self.assertRegex(page, rf"\n\.B {option}\b")
         offered = self.run_here("bash", "-c", COMPLETE, "-", completion, program, "--retry", "").stdout.split()
-        self.assertEqual(offered, ["failed", "version"])
+        self.assertEqual(offered, ["failed", "version", "files"])
 
     def test_manual_and_completion_have_every_command_of_python(self):
         said = self.run_here(sys.executable, "-c", "from ehlwave.cli import main; main()", "--help", PYTHONPATH=str(ROOT/"postprocess/src")).stdout

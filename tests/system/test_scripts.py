@@ -58,9 +58,10 @@ class Scripts(FolderTest):
             (stubs/name).chmod(0o755)
         self.environment = {**os.environ, "PATH": f"{stubs}:{os.environ['PATH']}"}
 
-    def call(self, script, *arguments):
+    def call(self, script, *arguments, path=None):
+        """Start a script, or what has the path of a link to it."""
         command = ["bash"] if not os.access(SCRIPTS/script, os.X_OK) else []
-        return subprocess.run([*command, self.folder/"tree"/"scripts"/script, *arguments], cwd=self.folder, text=True,
+        return subprocess.run([*command, path or self.folder/"tree"/"scripts"/script, *arguments], cwd=self.folder, text=True,
                               capture_output=True, check=False, timeout=HANGS_S, stdin=subprocess.DEVNULL, env=self.environment)
 
     def test_each_prints_its_own_help(self):
@@ -73,6 +74,22 @@ class Scripts(FolderTest):
                 self.assertEqual((outcome.returncode, outcome.stderr), (0, ""))
                 self.assertEqual(outcome.stdout.rstrip().split("\n"), comment_of(SCRIPTS/script))
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["stubs", "tree"])
+
+    def test_each_can_be_started_through_a_link(self):
+        (self.folder/"link").symlink_to("tree/scripts")
+        for script in [*own_scripts(), Path("study"), *FORMER]:
+            if script.parts[0] == "packaging":
+                continue
+            with self.subTest(script=str(script)):
+                link = self.folder/"tree"/script.name
+                link.symlink_to(self.folder/"link"/script)
+                self.check_status(self.call(script, "--help", path=link))
+
+    def test_a_script_alone_says_so(self):
+        for name in ("run-sweep", "build"):
+            outcome = self.call(name, "--help", path=shutil.copy(SCRIPTS/name, self.folder))
+            self.assertEqual(outcome.returncode, 2)
+            self.assertIn("environment: No such file", outcome.stderr)
 
     def test_former_names_are_studies(self):
         for script, name in FORMER.items():

@@ -1,6 +1,8 @@
 """A sweep is stopped, killed, changed and started again: what is done stays done, the rest goes on, the user is told."""
 
+import math
 import os
+import shutil
 import signal
 import subprocess
 import time
@@ -91,9 +93,82 @@ class SweepResume(FolderTest):
             self.assertIn(needle, self.sweep(groups, status=status))
         _, data = read(self.folder/"results.h5")
         self.assertEqual(list(data["viscosity_file"]), ["", "oil.csv"])
+        old = data["viscosity_digest"][1]
+        self.sweep(groups, "--retry", "files", "--time-limit", "0.001", status=UNFINISHED)
+        _, data = read(self.folder/"results.h5")
+        self.assertEqual(data["viscosity_digest"][1], old, "a row has the digest of the file that its numbers are of")
+        self.assertIn("1 of 2 cases are in the store already, 1 to run", self.sweep(groups, "--retry", "files"))
+        _, data = read(self.folder/"results.h5")
+        self.assertNotIn(data["viscosity_digest"][1], ["", old])
+        self.assertIn("0 to run", self.sweep(groups))
         (self.folder/"oil.csv").unlink()
         self.assertIn("oil.csv: no such file", self.sweep(groups, status=2))
         self.sweep({**groups, "sweep": {"viscosity_law": ["roelands"]}, "lubricant": {}})
+
+    def write_oil(self, factor=1):
+        """A table of viscosities, of which those under pressure are multiplied."""
+        rows = [f"{p},{0.05*math.exp(1.6e-8*p)*(factor if p else 1)}" for p in (0, 5e7, 1e8, 2e8, 4e8, 1e9)]
+        (self.folder/"new.csv").write_text("\n".join(["pressure_pa,viscosity_pa_s", *rows]))
+        (self.folder/"new.csv").replace(self.folder/"oil.csv")
+
+    def write_surface(self, factor=1):
+        with h5py.File(self.folder/"s.h5", "w") as file:
+            file["x"] = [4e-6*i for i in range(65)]
+            file["y"] = [0.0]
+            file["height"] = [[factor*4e-8*math.sin(i/3)*(8 <= i <= 56) for i in range(65)]]
+
+    def test_a_march_does_not_go_on_with_another_file(self):
+        """What a checkpoint holds is the past of the old file."""
+        cases = {self.write_oil: {**LONG, "lubricant": {"viscosity_law": "table", "viscosity_table": "oil.csv"}},
+                 self.write_surface: {"sweep": {"radius_x_m": 12.52e-3}, "grid": LONG["grid"],
+                                      "conditions": {"radius_y_m": 12.52e-3, "reduced_modulus_pa": 1.17e11, "load_n": 39.2,
+                                                     "mean_speed_m_per_s": 0.024, "viscosity_pa_s": 1.22},
+                                      "surface": {"file": "s.h5"}}}
+        for write, groups in cases.items():
+            write()
+            for _ in self.stops(groups):
+                if self.starts() and list((self.store()/"checkpoints").iterdir()):
+                    break
+            write(1.2)
+            self.sweep(groups)
+            self.sweep(groups, "--output", "fresh.h5")
+            self.check_same("fresh.h5", "results.h5")
+            for name in ("results", "whole", "fresh"):
+                shutil.rmtree(self.folder/f"{name}.store")
+                (self.folder/f"{name}.h5").unlink()
+
+    def test_a_file_that_is_changed_while_the_sweep_is_at_work(self):
+        """No case is run with other numbers than those of rank 0; what is done stays, with the digest of its numbers."""
+        groups = {"sweep": {"load_parameter_m": list(range(50, 90)), "lubricant_parameter_l": 8, "radius_ratio_d": 1},
+                  "lubricant": {"viscosity_law": "table", "viscosity_table": "oil.csv"}, "grid": {"cells_x": 64, "cells_y": 64}}
+        (self.folder/"sweep.nml").write_text(namelist(groups))
+        self.write_oil()
+        process = self.start(ranks=2)
+        self.wait_for(lambda: self.store().exists() and finished(self.store()))
+        self.write_oil(1.2)
+        said = process.communicate()[0]
+        self.assertEqual(process.returncode, 2, said)
+        self.assertIn("ehlwave-sweep: &lubricant viscosity_table = 'oil.csv' was changed while the sweep was at work", said)
+        _, data = read(self.folder/"results.h5")
+        done = data["status"].count("converged")
+        self.assertTrue(0 < done < 40, done)
+        self.assertEqual(len(set(data["viscosity_digest"])), 1)
+        self.assertEqual({row["viscosity_digest"] for row in finished(self.store()).values()}, set(data["viscosity_digest"]))
+        self.assertIn(f"({done} of 40 cases): --retry files runs these once more", self.sweep(groups, status=2))
+        self.write_oil()
+        self.assertIn(f"{done} of 40 cases are in the store already", self.sweep(groups, ranks=2))
+
+    def test_a_store_that_is_moved_away_is_missed(self):
+        groups = {**QUICK, "sweep": {**QUICK["sweep"], "load_parameter_m": list(range(100, 110))}}
+        (self.folder/"sweep.nml").write_text(namelist(groups))
+        process = self.start()
+        self.wait_for(lambda: self.store().exists() and finished(self.store()))
+        self.store().rename(self.folder/"moved")
+        said = process.communicate()[0]
+        self.assertEqual(process.returncode, 3, said)
+        self.assertIn("results.store: was it moved or removed?", said)
+        (self.folder/"moved").rename(self.store())
+        self.assertIn("20 of 20 cases are in the store already", self.sweep(groups))
 
     def test_only_what_is_new_runs(self):
         self.sweep(QUICK)
@@ -297,7 +372,7 @@ class SweepResume(FolderTest):
         self.assertTrue((self.folder/"other.store"/"precious").exists())
         self.assertIn("there is no store", self.sweep(QUICK, "--status", "missing.h5", status=2))
         self.assertIn("H:MM:SS", self.sweep(QUICK, "--time-limit", "soon", status=2))
-        self.assertIn("failed, version", self.sweep(QUICK, "--retry", "all", status=2))
+        self.assertIn("failed, version, files", self.sweep(QUICK, "--retry", "all", status=2))
 
     def test_damaged_records_count_as_not_written(self):
         self.sweep(QUICK)

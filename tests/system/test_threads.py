@@ -1,7 +1,9 @@
 """Threads that share one contact: the same results with any number of them, and what programs say of them."""
 
+import os
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from ehlwave_program import FolderTest, last_line, namelist, run
 
@@ -43,6 +45,17 @@ class Threads(FolderTest):
         outcome = self.solve(CASES["fas"], 300, "--plan")
         self.assertEqual(outcome.returncode, 2)
         self.assertIn("threads", outcome.stderr)
+
+    def test_the_environment_has_the_same_limit(self):
+        for program in ("case", "sweep"):
+            group = {"case": "conditions", "sweep": "sweep"}[program]
+            (self.folder/"input.nml").write_text(namelist({group: CONDITIONS, "grid": {"cells_x": 32, "cells_y": 32}}))
+            options = ["--plan"] if program == "case" else ["--time-limit", "0.001"]
+            with mock.patch.dict(os.environ, OMP_NUM_THREADS="257"):
+                outcome = run(program, "input.nml", *options, folder=self.folder)
+            self.assertIn("OMP_NUM_THREADS = 257 is taken as 256", outcome.stdout + outcome.stderr)
+            if program == "case":
+                self.assertIn("256 threads", outcome.stdout)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ program test_conditions
    call compare_with_experiment()
    call compare_routes()
    call refuse_bad_data()
+   call name_the_bound()
    call test%finish()
 
 contains
@@ -155,5 +156,25 @@ contains
       call test%check_no_error(error, 'equal radii but for round-off')
       call test%check_close(c%d, 1.0_dp, 'D = 1', relative=0.0_dp)
    end subroutine refuse_bad_data
+
+   !> What lies outside is refused with the bound that it breaks, and the M that is named lies inside, nearly at it.
+   subroutine name_the_bound()
+      real(dp), parameter :: l(3) = [1.0_dp, 12.05_dp, 300.0_dp], d(3) = [0.0_dp, 0.07_dp, 1.0_dp]
+      type(conditions_t) :: c
+      type(error_t), allocatable :: error
+      real(dp) :: largest
+      integer :: i, j
+
+      do i = 1, size(l)
+         do j = 1, size(d)
+            call conditions_from_moes(1e12_dp, l(i), d(j), 2.2e-8_dp, c, error)
+            call test%check_error(error, 'at most 500', 'M too large')
+            if (.not. allocated(error)) cycle
+            read (error%message(index(error%message, ' ', back=.true.):), *) largest
+            c = from_moes(largest, l(i), d(j))
+            call test%check_close(c%alphabar, 500.0_dp, 'alpha ph of the largest M', relative=0.005_dp)
+         end do
+      end do
+   end subroutine name_the_bound
 
 end program test_conditions

@@ -3,8 +3,7 @@
 import argparse
 import os
 import sys
-from collections.abc import Iterator, Sequence
-from pathlib import Path
+from collections.abc import Sequence
 
 from ehlwave.app.cli import add_app_command
 from ehlwave.command_line import Parser, as_options, with_ratio
@@ -15,12 +14,10 @@ from ehlwave.commands.stress import add_stress_command
 from ehlwave.commands.traction import add_traction_command
 from ehlwave.errors import ResultsError, printable
 from ehlwave.extras import advice
+from ehlwave.inputs import inputs
 from ehlwave.terminal import plain_text_only
 from ehlwave.version import version
 from ehlwave.writing import Writer
-
-OUTPUTS = ("output", "csv", "parquet", "netcdf", "vtk")
-"""Options that name what is written; every other path is an input."""
 
 BAD_INPUT = 2
 NOT_WRITTEN = 3
@@ -40,9 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         options = argparse.Namespace()
         try:
             command_parser().parse_args(arguments, options)
-            options.writer = Writer(
-                _inputs(options), overwrite=getattr(options, "overwrite", False)
-            )
+            options.writer = Writer(inputs(options), overwrite=getattr(options, "overwrite", False))
             with_ratio(options)
             options.run(options)
             sys.stdout.flush()
@@ -60,16 +55,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except OSError as error:
             return _fail(f"{error.filename or 'output'}: {error.strerror or error}", NOT_WRITTEN)
     return 0
-
-
-def _inputs(options: argparse.Namespace) -> Iterator[str | Path]:
-    """Return every word of the command line that can name a file, but the outputs."""
-    for name, value in vars(options).items():
-        if name not in OUTPUTS:
-            if isinstance(value, list):
-                yield from (word for word in value if isinstance(word, (str, Path)))
-            elif isinstance(value, Path):
-                yield value
 
 
 def command_parser() -> argparse.ArgumentParser:

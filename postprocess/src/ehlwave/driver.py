@@ -393,7 +393,7 @@ def _check(
 ) -> subprocess.CompletedProcess[str]:
     """Return what was run; ProgramError with what it said unless its exit status is fine."""
     if done.returncode not in fine:
-        said = (done.stderr or done.stdout).strip()
+        said = "; ".join((done.stderr or done.stdout).strip().splitlines())
         command = " ".join(map(str, done.args))
-        raise ProgramError(f"{command}: exit status {done.returncode}\n{said}")
+        raise ProgramError(f"{command}: exit status {done.returncode}: {said}")
     return done

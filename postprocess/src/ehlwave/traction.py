@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ehlwave.choices import TRACTION_RATIOS
 from ehlwave.contact.heat_data import EMPTY_HEAT
 from ehlwave.driver import Study, key_groups
-from ehlwave.errors import ArgumentError, ProgramError
+from ehlwave.errors import ArgumentError, ProgramError, SurfaceError
 from ehlwave.schema import SETTLED
 from ehlwave.slip import RATIO, SLIP
 
@@ -130,6 +130,8 @@ def traction(
     ------
     ArgumentError
         If the ratios are none.
+    SurfaceError
+        If the conditions are Moes parameters.
     ProgramError
         If the program refuses the input, or no case converges.
 
@@ -144,6 +146,11 @@ def traction(
     ['linear', 'nonlinear', 'limited']
     """
     given = {key: value for key, value in keys.items() if key not in (SLIP, RATIO)}
+    if "load_parameter_m" in given:
+        raise SurfaceError(
+            "load_parameter_m: a film in um wants dimensional &conditions: give radius_x_m, "
+            "reduced_modulus_pa, load_n or load_n_per_m, mean_speed_m_per_s and viscosity_pa_s"
+        )
     has_heat = any(key_groups().get(key) == "heat" for key in given)
     chosen = _checked(ratios, has_heat)
     limit = float(given.get(LIMIT, 0)) or None
@@ -176,8 +183,10 @@ def traction(
 
 def _without_heat(keys: Mapping[str, Any], cases: pd.DataFrame, ranks: int) -> NDArray[np.float64]:
     """Return isothermal friction of ratios."""
-    heat = [key for key, group in key_groups().items() if group == "heat"]
-    cold = {key: value for key, value in keys.items() if key not in (*heat, "temperature_k")}
+    dropped = [key for key, group in key_groups().items() if group == "heat"]
+    if str(keys.get("viscosity_law")).lower() != "table":  # measured at temperatures, without heat
+        dropped.append("temperature_k")
+    cold = {key: value for key, value in keys.items() if key not in dropped}
     found = Study(cases, **cold).run(ranks=ranks, progress=False)
     return np.where(
         np.isin(found["status"].values, SETTLED), found["friction_coefficient"].values, np.nan

@@ -148,8 +148,15 @@ class Writer:
         return self.file(path, lambda part: kept.to_parquet(part, engine="pyarrow", index=False))
 
     def dataset(self, path: str | Path, data: xr.Dataset) -> Path:
-        """Write a dataset as HDF5."""
-        return self.file(path, lambda part: data.to_netcdf(part, engine="h5netcdf"))
+        """Write a dataset as HDF5.
+
+        Raises ResultsError if it holds what the format has no place for, as a NUL in a text.
+        """
+        try:
+            return self.file(path, lambda part: data.to_netcdf(part, engine="h5netcdf"))
+        except (TypeError, ValueError) as error:
+            said = " ".join(str(error).split())
+            raise ResultsError(f"{path}: HDF5 cannot hold all of the data: {said}") from error
 
     def figure(self, path: str | Path, figure: Figure, **options: Any) -> Path:  # noqa: ANN401
         """Write a figure in the format that the name ends with."""
