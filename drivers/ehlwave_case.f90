@@ -20,7 +20,8 @@ program ehlwave_case
    use ehlwave_process, only: end_program, ignore_write_signals
    use ehlwave_provenance, only: git_revision, program_version
    use ehlwave_provenance_list, only: version_text
-   use ehlwave_quantities, only: add_plan, add_result
+   use ehlwave_input_quantities, only: add_plan
+   use ehlwave_quantities, only: add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_object
    use ehlwave_refined_case, only: run_refined_case

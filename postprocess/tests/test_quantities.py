@@ -37,7 +37,7 @@ WITH_UNITS = {
 
 def test_the_program_refuses_the_same_values() -> None:
     table = key_table().set_index("name")
-    for name in PLAIN:
+    for name in PLAIN.keys() - {"load_n", "mean_speed_m_per_s"}:  # open for studies by M and L
         bounds = table.loc[name, ["minimum", "maximum"]].tolist()
         assert bounds == [PLAUSIBLE[name].low, PLAUSIBLE[name].high], name
 

@@ -91,7 +91,7 @@ contains
 
       call list%enter('conditions', 'Either the Moes parameters M, L and D or dimensional data.')
       list%common%is_written = case%is_dimensional
-      ! Bounds of dimensional data are what no contact is known beyond: a value in another unit is refused.
+      ! Bounds of radii, modulus and viscosity are what no contact is known beyond: a value in another unit is refused.
       call list%see(case%data%radius_x_m, key_t('radius_x_m', 'reduced radius in the rolling direction', unit='m', &
          minimum=1e-6_dp, maximum=5.0_dp, is_required=.true.))
       call list%see(case%data%radius_y_m, key_t('radius_y_m', 'reduced radius across; none: line contact', unit='m', &
@@ -101,11 +101,11 @@ contains
          '(1 - nu1^2)/E1 + (1 - nu2^2)/E2; also besides M, L and D, for friction and flow laws other than newtonian', &
          unit='Pa', minimum=1e6_dp, maximum=3e12_dp))
       list%common%is_written = case%is_dimensional
-      call list%see(case%data%load_n, key_t('load_n', 'load', unit='N', minimum=1e-6_dp, maximum=1e8_dp))
+      call list%see(case%data%load_n, key_t('load_n', 'load', unit='N', above=0.0_dp))
       call list%see(case%data%load_n_per_m, key_t('load_n_per_m', 'load per length of a line contact; in place of '// &
-         'load_n and radius_y_m', unit='N/m', minimum=1.0_dp, maximum=1e8_dp))
+         'load_n and radius_y_m', unit='N/m', above=0.0_dp))
       call list%see(case%data%mean_speed_m_per_s, key_t('mean_speed_m_per_s', 'mean speed (u1 + u2)/2', unit='m/s', &
-         minimum=1e-7_dp, maximum=300.0_dp, is_required=.true.))
+         above=0.0_dp, is_required=.true.))
       call list%see(case%data%viscosity_pa_s, key_t('viscosity_pa_s', 'viscosity at ambient pressure', unit='Pa s', &
          minimum=1e-5_dp, maximum=20.0_dp, is_required=.true.))
       list%common%is_written = .not. case%is_dimensional

@@ -57,8 +57,8 @@ contains
       case ('real'); text = real_json(quantity%number)
       case ('integer'); text = to_text(nint(quantity%number, i8))
       case ('logical')
-         text = to_text(quantity%number > 0)
-         if (ieee_is_nan(quantity%number)) text = real_json(quantity%number)
+         text = real_json(quantity%number)
+         if (.not. ieee_is_nan(quantity%number)) text = to_text(quantity%number > 0)
       case ('list'); text = list_json(quantity%list)
       case default; text = string_json(quantity%text)
       end select

@@ -3,167 +3,27 @@
 !>
 !> An entry has a name, a long name and the value. It has a unit where the number is not dimensionless, and `exists`
 !> where only some cases have it. `add_key` takes the description of a quantity that is also a key from its table.
-!> The file is long because it is one table.
+!> `input_quantities` and `wave_quantities` have their parts of the table.
 module ehlwave_quantities
-   use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_key, only: key_long_name, number_kind, truth_kind, whole_kind
-   use ehlwave_case_keys, only: case_key_list
-   use ehlwave_case_result, only: case_result_t, oil_sensitivity_t
-   use ehlwave_case_text, only: case_identity
-   use ehlwave_key_list, only: find_key, key_list_t
+   use ehlwave_case_result, only: case_result_t
    use ehlwave_error_account, only: validity_text
    use ehlwave_error_parts, only: error_parts_t
-   use ehlwave_formula, only: moes_film_formula
-   use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_heat_result, only: heat_result_t
+   use ehlwave_input_quantities, only: add_case, add_formulas
    use ehlwave_kinds, only: dp
-   use ehlwave_pair_result, only: pair_result_t
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_starved_result, only: starved_result_t
    use ehlwave_status, only: status_name
-   use ehlwave_work_unit, only: work_unit_operations
+   use ehlwave_wave_quantities, only: add_pair, add_response, add_sensitivities
    implicit none (type, external)
    private
-   public :: add_case, add_key, add_plan, add_result
+   public :: add_result
 
    real(dp), parameter :: um_per_m = 1e6_dp
 
 contains
-
-   !> Quantities of the input.
-   subroutine add_case(list, case, plan)
-      type(quantity_list_t), intent(inout) :: list
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      type(key_list_t) :: keys
-      integer :: i
-
-      keys = case_key_list(case)
-      associate (c => plan%conditions)
-         call list%add('case_id', 'identity of the effective input', case_identity(case))
-         call list%add('load_parameter_m', 'Moes load parameter M', c%m)
-         call list%add('lubricant_parameter_l', 'Moes lubricant parameter L', c%l)
-         call list%add('radius_ratio_d', 'D = Rx/Ry', c%d)
-         call add_key(list, keys, 'slip_parameter')
-         call list%add('kappa', 'ellipticity a/b', c%elliptic%kappa)
-         call list%add('gamma', 'pressure factor of the ellipticity', c%gamma)
-         call list%add('alphabar', 'alpha ph', c%alphabar)
-         call list%add('lambdabar', 'dimensionless speed parameter', c%lambdabar)
-      end associate
-      call add_key(list, keys, 'orientation')
-      call add_key(list, keys, 'response')
-      do i = 1, size(plan%files)
-         associate (file => plan%files(i))
-            call list%add(trim(file%name)//'_file', file%long_name, file%path, exists=file%path /= '')
-            call list%add(trim(file%name)//'_digest', 'digest of the numbers in '//trim(file%name)//'_file', &
-                          file%digest, exists=file%path /= '')
-         end associate
-      end do
-      call add_key(list, keys, 'wavelength_x_over_a')
-      call add_key(list, keys, 'wavelength_y_over_a')
-      call add_key(list, keys, 'orientation_2', case%is_pair())
-      call add_key(list, keys, 'wavelength_x_over_a_2', case%is_pair())
-      call add_key(list, keys, 'wavelength_y_over_a_2', case%is_pair())
-      call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
-      call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
-      call add_key(list, keys, 'edges')
-      call add_key(list, keys, 'method')
-      call add_key(list, keys, 'tolerance')
-      call list%add('scheme', 'differences of the Reynolds equation, averaged or fitted to steep inlets', &
-                    trim(merge('fitted  ', 'averaged', plan%is_fitted)))
-      call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', &
-         plan%domain_error)
-      call list%add('expected_mesh_error', 'part of it by the mesh', plan%expected%mesh)
-      call list%add('expected_meniscus_error', 'part of it by the meniscus of a contact with too little oil', &
-                    plan%expected%meniscus)
-      call list%add('expected_time_error', 'part of it by steps longer than hX', plan%expected%time)
-      call list%add('expected_algebraic_error', 'part of it by the tolerances', plan%expected%algebraic)
-      call list%add('expected_amplitude_error', 'expected difference from small waves, besides expected_error', &
-                    plan%expected%amplitude)
-      call list%add('domain_x_min', 'X of the inlet boundary in use', plan%x_min)
-      call list%add('domain_x_max', 'X of the outlet boundary in use', plan%x_max)
-      call list%add('domain_y_max', 'Y of the side boundary in use', plan%y_max)
-      call list%add('expected_work_units', 'work expected by the plan, counted in plain FFT convolutions of the grid', &
-                    plan%expected_work_units)
-      call list%add('cells_x', 'cells along X', plan%cells_x)
-      call list%add('cells_y', 'cells along Y, whole domain', plan%cells_y)
-      call list%add('inlet_resolution', 'hX over the length of the inlet pressure sweep', plan%resolution%inlet)
-      call list%add('meniscus_resolution', &
-                    'hX over the expected distance of the meniscus from the contact, 0: flooded', &
-                    plan%resolution%meniscus)
-      call list%add('inlet_gap_over_film', 'gap at x_min over the film of the formula', plan%resolution%inlet_gap)
-      call list%add('points_per_wave_x', 'mesh sizes per wave along X', plan%resolution%points_x)
-      call list%add('points_per_wave_y', 'mesh sizes per wave along Y', plan%resolution%points_y)
-   end subroutine add_case
-
-   !> Quantities of the plan, known before the case has run.
-   subroutine add_plan(list, case, plan)
-      type(quantity_list_t), intent(inout) :: list
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      type(key_list_t) :: keys
-      character(len=8), parameter :: kinds(4) = [character(len=8) :: 'smooth', 'standing', 'march', 'harmonic']
-
-      keys = case_key_list(case)
-      call add_case(list, case, plan)
-      call list%add('run', 'what is computed: smooth, standing, march, harmonic or periodic', &
-                    trim(merge('periodic', kinds(plan%kind), plan%is_periodic)))
-      call list%add('time_steps', 'time steps to be done', plan%steps)
-      call list%add('time_step', 'dT', plan%dt)
-      call list%add('steady_states', 'steady states to be solved', 1 + plan%phases)
-      call list%add('is_half_domain', '1 when only Y >= 0 is computed', plan%is_half)
-      call list%add('is_resolved', '1 when the grid resolves the case', plan%resolution%is_resolved)
-      call list%add('message', 'why the grid does not resolve the case', plan%resolution%reason)
-      call list%add('validity', 'what the result will hold for: edges, linear range', validity_text(case, plan))
-      call add_key(list, keys, 'accuracy')
-      call list%add('expected_seconds', 'time expected by the plan', plan%expected_seconds(), unit='s')
-      call list%add('expected_memory_mib', 'peak memory expected by the plan', plan%expected_memory_mib(), unit='MiB')
-      call list%add('expected_total_work_units', 'the same with error estimates', plan%work_with_estimates)
-      call list%add('largest_work_units', 'work at which the case ends, in plain FFT convolutions of the grid', &
-                    plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), exists=plan%has_work_cap())
-      call add_key(list, keys, 'step_tolerance')
-      associate (c => plan%conditions)
-         call list%add('central_film_formula', 'central film by theory eq. (H1), of a line contact (H2), '// &
-            '(h/Rx)(2U)^(-1/2)', moes_film_formula(c))
-         call list%add('semi_axis_a_m', 'Hertz semi-axis along rolling', c%a_m, unit='m', exists=c%has_dimensions)
-         call list%add('semi_axis_b_m', 'Hertz semi-axis across rolling', c%b_m, unit='m', &
-                       exists=c%has_dimensions .and. .not. c%is_line())
-         call list%add('hertz_approach_c_m', 'Hertz approach, the unit of H', c%c_m, unit='m', exists=c%has_dimensions)
-         call list%add('moes_film_factor', 'film (h/Rx)(2U)^(-1/2) for H = 1', c%moes_film_factor)
-      end associate
-      call add_formulas(list, blank_result(case, plan))
-   end subroutine add_plan
-
-   !> The formula of Ad/Ai and what it is a function of.
-   subroutine add_formulas(list, result)
-      type(quantity_list_t), intent(inout) :: list
-      type(case_result_t), intent(in) :: result
-      call list%add('v', 'V of theory eq. (17)', result%v)
-      call list%add('v2', 'V2 of theory eq. (16)', result%v2)
-      call list%add('f_r', 'f(r) of theory eq. (15)', result%f_r)
-      call list%add('formula_ratio', 'Ad/Ai by theory eq. (18)', result%formula_ratio)
-   end subroutine add_formulas
-
-   !> A key of the case with the value in use.
-   subroutine add_key(list, keys, name, exists)
-      type(quantity_list_t), intent(inout) :: list
-      type(key_list_t), intent(in) :: keys      !! of the case
-      character(len=*), intent(in) :: name
-      logical, intent(in), optional :: exists
-      integer :: k
-
-      k = find_key(keys%keys, name)
-      associate (key => keys%keys(k), value => keys%values(k))
-         select case (key%kind)
-         case (number_kind); call list%add(name, key_long_name(key), value%number, unit=trim(key%unit), exists=exists)
-         case (whole_kind); call list%add(name, key_long_name(key), nint(value%number), exists=exists)
-         case (truth_kind); call list%add(name, key_long_name(key), value%number > 0, exists=exists)
-         case default; call list%add(name, key_long_name(key), value%word, exists=exists)
-         end select
-      end associate
-   end subroutine add_key
 
    !> Quantities of the input and of the result.
    subroutine add_result(list, case, plan, result)
@@ -348,121 +208,6 @@ contains
          repeat(' ', len(case%heat%wave_temperatures)), is_warm .and. case%is_wavy())), &
          exists=is_warm .and. case%is_wavy())
    end subroutine add_heat
-
-   !> Quantities of two rough surfaces besides those of the first.
-   subroutine add_pair(list, is_pair, pair)
-      type(quantity_list_t), intent(inout) :: list
-      logical, intent(in) :: is_pair
-      type(pair_result_t), intent(in) :: pair
-
-      call list%add('amplitude_ratio_fit_2', 'Ad/Ai of the waves of surface 2 from a harmonic fit', pair%ratio_fit, &
-         exists=is_pair)
-      call list%add('phase_fit_2', 'phase of their harmonic fit against their pattern at the centre', pair%phase_fit, &
-         unit='rad', exists=is_pair)
-      call add_response(list, pair%harmonic, '_2', is_pair)
-      call list%add('film_rms_both', 'rms of H(0,0) by the waves of both surfaces over central_film, phases free '// &
-         'even where the waves have one frequency, linear responses', pair%film_rms, exists=is_pair)
-      call list%add('mean_film_rise_both', 'mean film with the waves of both surfaces less smooth film over Ai of '// &
-         'the first, second order, linear responses', pair%mean_rise, exists=is_pair)
-      call list%add('mean_film_rise_cross', 'part of mean_film_rise_both that neither surface has alone', &
-         pair%cross_rise, exists=is_pair)
-      call list%add('smallest_film_both', 'smallest film with the waves of both surfaces anywhere at any time, '// &
-         'phases free even where the waves have one frequency, second order', pair%smallest_film, exists=is_pair)
-      call list%add_truth('surfaces_touch_both', '1 when both waves together would touch, second order; -1: not '// &
-         'known', pair%surfaces_touch, exists=is_pair)
-   end subroutine add_pair
-
-   !> The linear response to the waves of a surface.
-   subroutine add_response(list, harmonic, number, exists)
-      type(quantity_list_t), intent(inout) :: list
-      type(harmonic_result_t), intent(in) :: harmonic
-      character(len=*), intent(in) :: number         !! that names end in: '' of the first surface, '_2'
-      logical, intent(in) :: exists
-      character(len=:), allocatable :: of
-
-      of = ''
-      if (number /= '') of = ', surface 2'
-      call put('harmonic_ratio', 'Ad/Ai of small waves, linear response', harmonic%ratio)
-      call put('harmonic_phase', 'phase of the linear response of H(0,0)', harmonic%phase, unit='rad')
-      call put_complex('harmonic', 'transfer function pattern to H(0,0)', &
-                       cmplx(harmonic%real_part, harmonic%imaginary_part, dp))
-      call put_complex('harmonic_pressure', 'transfer function pattern (in c) to P(0,0)', harmonic%pressure)
-      call put('harmonic_approach', 'amplitude of the approach over Ai', harmonic%approach_ratio)
-      call put('harmonic_extrapolated', 'harmonic_ratio at mesh size 0', harmonic%extrapolated)
-      call put_complex('harmonic_extrapolated', 'transfer function pattern to H(0,0) at mesh size 0', &
-         harmonic%film_limit)
-      call put_complex('harmonic_pressure_extrapolated', &
-         'transfer function pattern (in c) to P(0,0) at mesh size 0', harmonic%pressure_limit)
-      call put('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
-      call put('harmonic_error_basis', 'what harmonic_error is from', trim(harmonic%error_basis))
-      call put('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', &
-         harmonic%mean_rise)
-      call put('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
-                    harmonic%smallest_film)
-      call put('smallest_film_x', 'X of the smallest film with waves, or of where they would touch', &
-         harmonic%smallest_film_x)
-      call put('smallest_film_y', 'Y of the smallest film with waves, or of where they would touch', &
-         harmonic%smallest_film_y)
-      call list%add_truth('surfaces_touch'//number, '1 when waves of Ai would touch the other surface, second '// &
-         'order: there is no smallest_film; -1: not known'//of, harmonic%surfaces_touch, exists=exists)
-      call add_waves()
-      call put('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
-      call put('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the '// &
-         'grid', harmonic%work_units)
-      call put('harmonic_counted_work_units', 'the same counted', harmonic%counted_work_units)
-
-   contains
-
-      subroutine put(name, long_name, value, unit)
-         character(len=*), intent(in) :: name, long_name
-         class(*), intent(in) :: value
-         character(len=*), intent(in), optional :: unit
-         call list%add(name//number, long_name//of, value, unit=unit, exists=exists)
-      end subroutine put
-
-      subroutine put_complex(name, long_name, value, unit)
-         character(len=*), intent(in) :: name, long_name
-         complex(dp), intent(in) :: value
-         character(len=*), intent(in), optional :: unit
-         call put(name//'_real', long_name//', real part', real(value, dp), unit)
-         call put(name//'_imaginary', long_name//', imaginary part', aimag(value), unit)
-      end subroutine put_complex
-
-      !> The two waves of the film at the centre.
-      subroutine add_waves()
-         associate (row => harmonic%waves%centre)
-            call put_complex('attenuated', 'wave of the film that moves with the surface, over Ai', row%fit%attenuated)
-            call put_complex('complementary', 'wave of the film that moves with the oil, over Ai', &
-               row%fit%complementary)
-            call put_complex('psi', 'wave number of the complementary wave', row%fit%psi, unit='1/a')
-            call put('two_wave_misfit', 'what both waves leave of the film, rms over Ai, |X| <= 0.5', row%fit%misfit)
-            call put_complex('attenuated_formula', 'attenuated wave over Ai in closed form', row%attenuated)
-            call put_complex('psi_formula', 'psi in closed form', row%psi, unit='1/a')
-         end associate
-      end subroutine add_waves
-
-   end subroutine add_response
-
-   !> Derivatives by the oil, where they were asked for.
-   subroutine add_sensitivities(list, case, by_oil)
-      type(quantity_list_t), intent(inout) :: list
-      type(case_t), intent(in) :: case
-      type(oil_sensitivity_t), intent(in) :: by_oil(:)
-      character(len=*), parameter :: by(2) = [character(len=6) :: 'alpha', 'stress'], &
-                                     of(2) = [character(len=31) :: 'alpha', 'the stress of the flow law']
-      integer :: x
-
-      do x = 1, size(by_oil)
-         call list%add('film_sensitivity_'//trim(by(x)), 'd ln H(0,0) of the smooth contact/d ln '//trim(of(x)), &
-            by_oil(x)%film, exists=case%sensitivities)
-         call list%add('response_sensitivity_'//trim(by(x)), 'd ln harmonic_ratio/d ln '//trim(of(x)), &
-            by_oil(x)%response, exists=case%sensitivities)
-         call list%add('response_real_by_'//trim(by(x)), 'd harmonic_real/d ln '//trim(of(x)), &
-            by_oil(x)%response_real, exists=case%sensitivities)
-         call list%add('response_imaginary_by_'//trim(by(x)), 'd harmonic_imaginary/d ln '//trim(of(x)), &
-                       by_oil(x)%response_imaginary, exists=case%sensitivities)
-      end do
-   end subroutine add_sensitivities
 
    subroutine add_effort(list, result)
       type(quantity_list_t), intent(inout) :: list

@@ -12,7 +12,7 @@ module ehlwave_results_file
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_key_list, only: key_list_t
    use ehlwave_planned_case, only: case_plan_t
-   use ehlwave_quantities, only: add_case, add_key
+   use ehlwave_input_quantities, only: add_case, add_key
    use ehlwave_quantity, only: quantity_list_t, quantity_t
    use ehlwave_quantity_output, only: json_columns, take_json
    use ehlwave_results_column, only: column_t

@@ -60,8 +60,8 @@ contains
    subroutine check_refused_loads()
       call refuse(line//', load_n_per_m = 1e5, load_n = 10 /', 'load_n_per_m = 100000 is the load of a line contact')
       call refuse(line//', load_n_per_m = 1e5, radius_y_m = 0.01 /', 'load_n_per_m = 100000 is the load of a line contact')
-      call refuse(line//' /', 'radius_y_m must be given')
-      call refuse(line//', radius_y_m = 0.01 /', 'load_n must be given')
+      call refuse(line//' /', 'radius_y_m is missing')
+      call refuse(line//', radius_y_m = 0.01 /', 'load_n is missing')
       call refuse(moes//', load_n_per_m = 1e5 /', 'give one of the two')
       call refuse("&conditions reduced_modulus_pa = 2e11 /", 'load_parameter_m is missing')
       call refuse(line//", load_n_per_m = 1e5 / &waviness orientation = 'isotropic', wavelength_over_a = 1 /", &

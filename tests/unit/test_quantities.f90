@@ -9,7 +9,8 @@ program test_quantities
    use ehlwave_json_reader, only: split_list
    use ehlwave_kinds, only: dp, i8
    use ehlwave_planned_case, only: case_plan_t
-   use ehlwave_quantities, only: add_case, add_plan, add_result
+   use ehlwave_input_quantities, only: add_case, add_plan
+   use ehlwave_quantities, only: add_result
    use ehlwave_quantity, only: quantity_list_t, quantity_t
    use ehlwave_quantity_output, only: json_columns, json_object, json_values, take_json
    use testing, only: test_t

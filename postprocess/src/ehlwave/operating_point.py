@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 import sys
 import warnings
@@ -12,41 +11,35 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
-from ehlwave.answers import Film, Response, given_film
+from ehlwave.answers import Film, Response
 from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
 from ehlwave.atlas.chart import Chart
-from ehlwave.atlas.coordinates import wave_components
-from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
-from ehlwave.choices import LAWS, WINDOWS, chosen
+from ehlwave.choices import WINDOWS, chosen
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.conditions_read import Given
 from ehlwave.contact.data_sheet import Oil as DataSheetOil
 from ehlwave.contact.heat_data import Heat, heat_of
-from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
 from ehlwave.contact.two_bodies import contact_keys
-from ehlwave.contact.two_waves import SLIP_ERRORS, two_waves
-from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film, with_heated_film
+from ehlwave.deform.atlas_transfer import with_atlas_film, with_heated_film
 from ehlwave.deform.pair import DeformedPair
 from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
 from ehlwave.deform.prepare import Form, Window
 from ehlwave.deform.raw_surface import SurfaceSource
 from ehlwave.deform.read import ReadOptions, read_surface
-from ehlwave.deform.sliding import TwoWaveTransfer, second_conditions
-from ehlwave.deform.starved_transfer import StarvedTransfer
+from ehlwave.deform.sliding import second_conditions
 from ehlwave.deform.surface import Surface
-from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
+from ehlwave.deform.transfer import Transfer
+from ehlwave.deform.transfer_choice import transfer_of
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
-from ehlwave.heat_laws import Heated, check_heat, heated, isothermal_error_by_data
-from ehlwave.hints import see
+from ehlwave.film_answer import film_of
+from ehlwave.heat_laws import check_heat
 from ehlwave.quantities import number
+from ehlwave.response_answer import response_of
 from ehlwave.responses import response_table, responses_figure
 from ehlwave.shown import html_table, within
-from ehlwave.slip import RATIO, SLIP, ratio_of, refuse_both, slip_of
-from ehlwave.starvation import WAVES_TEXT, is_fitted
+from ehlwave.slip import slip_given
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -56,9 +49,6 @@ if TYPE_CHECKING:
 
     from ehlwave.keys import ContactKeys
     from ehlwave.stress.rough import RoughStress
-
-SLIPS = SLIDING_RANGES["slip_parameter"]
-"""Slip parameters that the law of the two waves answers for in :meth:`Contact.response`."""
 
 
 class Contact:
@@ -278,49 +268,7 @@ class Contact:
         >>> print(f"{film.central_m * 1e6:.2f} um within {film.central_error:.0%}")
         0.83 um within 1%
         """
-        c = self.conditions
-        if c.has_given_film:
-            return given_film(c)
-        # The laws of heat were fitted to films of lines that roll, with their error by thinning.
-        rolls = c.is_line and self.heat is not None
-        slip = 1.0 if rolls else c.film_slip
-        thinned = c.rolling_film_error if rolls else 0.0
-        chart = self._chart(slip)
-        film = chart.film()
-        friction = friction_error = None
-        if film.stress is not None and self._eyring_stress_pa is not None:
-            hertz_pa = c.alphabar / c.oil.pressure_viscosity_per_pa
-            friction = c.peak_over_mean * film.stress * self._eyring_stress_pa / hertz_pa
-            by_data = isothermal_error_by_data(c, film.central_moes, self._eyring_stress_pa)
-            friction_error = (1 + (film.stress_error or 0.0)) * (1 + by_data) - 1
-        scale, more = c.metres_per_moes, thinned + c.oil_error
-        central, source = film.central_moes * c.film_ratio, chart.film_source
-        by_heat: Heated | None = None
-        factor = 1.0
-        if self.heat is not None:
-            by_heat = heated(c, self.heat, central * (scale or math.nan), self._eyring_stress_pa)
-            factor, source = by_heat.film_factor, f"{source}, times the laws of heat"
-            more += by_heat.film_error
-            friction = by_heat.friction
-            film_error = film.central_error + thinned + by_heat.film_error
-            shear = by_heat.friction_error
-            friction_error = None if shear is None else shear + film_error
-            central *= factor
-        if c.is_starved:
-            source += f", times R = {c.film_ratio:.3g} of the law of starved contacts"
-        knows_minimum = not c.is_starved and math.isfinite(film.minimum_moes)
-        return Film(
-            central_m=None if scale is None else central * scale,
-            minimum_m=film.minimum_moes * factor * scale if scale and knows_minimum else None,
-            central_moes=central,
-            minimum_moes=film.minimum_moes * factor if knows_minimum else math.nan,
-            central_error=film.central_error + more + c.starvation_error,
-            minimum_error=film.minimum_error + more if knows_minimum else math.nan,
-            friction=friction,
-            friction_error=friction_error,
-            source=source,
-            heated=by_heat,
-        )
+        return film_of(self.conditions, self._chart, self.heat, self._eyring_stress_pa)
 
     def response(
         self,
@@ -366,7 +314,7 @@ class Contact:
         45 0.78
         90 0.65
         """
-        slip_parameter = _slip_given(slip_parameter, slide_to_roll_ratio, "response")
+        slip_parameter = slip_given(slip_parameter, slide_to_roll_ratio, "response")
         wavelength_over_a = number(wavelength_over_a, "wavelength_over_a")
         angle_deg = number(angle_deg, "angle_deg")
         if not -1e-9 <= angle_deg <= 90 + 1e-9:
@@ -376,57 +324,8 @@ class Contact:
         if slip_parameter is None:
             slip_parameter = self.conditions.slip_parameter
         conditions = replace(self.conditions, slip_parameter=slip_parameter)
-        if conditions.is_starved:
-            return _starved_response(conditions, wavelength_over_a, angle_deg)
-        low, high = WAVE_RANGE
-        if not low * (1 - 1e-9) <= wavelength_over_a <= high * (1 + 1e-9):
-            raise RangeError(
-                f"wavelength_over_a = {wavelength_over_a:.5g} lies outside the atlas, which holds "
-                f"{low:g} to {high:g}"
-            )
-        if conditions.is_line and (angle_deg > 1e-9 or not conditions.has_atlas):
-            raise RangeError(TRANSVERSE_ALONE if angle_deg > 1e-9 else ROLLS_ALONE)
-        if not conditions.has_atlas:
-            if angle_deg < 90:
-                return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
-            slip_parameter = 1.0
-        try:
-            chart = self._chart(slip_parameter)
-        except RangeError:
-            low, high = SLIPS
-            is_law_for = conditions.slip_parameter != 1 and conditions.oil.name == "Ree-Eyring"
-            has_law = is_law_for and low <= slip_parameter <= high
-            if conditions.is_line or not has_law or angle_deg == 90:
-                raise
-            return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
-        found = chart.responses(wavelength_over_a, angle_deg)
-        film, pressure = complex(found.film), complex(found.pressure)
-        return Response(film, pressure, float(found.error), chart.source)
-
-    def _response_under_slip(self, wave: float, angle_deg: float, slip: float) -> Response:
-        """Return the response by the law of the two waves, with the film of the atlas."""
-        low, high = SLIPS
-        if not low <= slip <= high:
-            raise RangeError(
-                f"slip_parameter = {slip:g} ({RATIO} = {ratio_of(slip):g}) lies outside {low:g} to "
-                f"{high:g}, where the law of the two waves is known to hold"
-            )
-        conditions = replace(self.conditions, slip_parameter=slip)
-        reasons = TwoWaveTransfer(conditions).reasons()
-        if reasons:
-            raise RangeError(f"{'; '.join(reasons)}; compute it (ehlwave.Case){see('slip')}")
-        oil = conditions.oil.name
-        if oil == "Ree-Eyring":  # outside the atlas of those that slide
-            conditions = replace(conditions, slip_parameter=1.0)
-        conditions = with_atlas_film(conditions, self._atlas_for(conditions))
-        components = wave_components(wave, angle_deg)
-        film = two_waves(conditions, slip, *components).at(0.0)
-        return Response(
-            film=complex(film),
-            pressure=complex(math.nan, math.nan),
-            error=SLIP_ERRORS[oil],
-            source=f"law of the two waves, {oil} oil",
-        )
+        wave = wavelength_over_a, angle_deg
+        return response_of(conditions, *wave, self._chart, self._own_atlas())
 
     def responses(
         self,
@@ -471,7 +370,7 @@ class Contact:
         [True, True, False]
         """
         waves, angles = wavelength_over_a, angle_deg
-        slip_parameter = _slip_given(slip_parameter, slide_to_roll_ratio, "responses")
+        slip_parameter = slip_given(slip_parameter, slide_to_roll_ratio, "responses")
         return response_table(self.response, self.conditions, waves, angles, slip_parameter)
 
     def plot(
@@ -502,7 +401,7 @@ class Contact:
         >>> [axes.get_ylabel() for axes in figure.axes][1]
         'lag of the film [degrees]'
         """
-        slip_parameter = _slip_given(slip_parameter, slide_to_roll_ratio, "plot")
+        slip_parameter = slip_given(slip_parameter, slide_to_roll_ratio, "plot")
         return responses_figure(self.responses(wavelength_over_a, angle_deg, slip_parameter))
 
     def transfer(self, by: str = "atlas") -> Transfer:
@@ -530,25 +429,7 @@ class Contact:
         >>> contact.transfer("paper").name
         'formula of Venner et al. (2000)'
         """
-        chosen(by, "by", LAWS)
-        if self.conditions.is_starved:
-            if by != "atlas":
-                raise RangeError(
-                    f"by = {by!r} is for flooded contacts, and oil_over_flooded is given: leave by "
-                    "out; the law of starved contacts answers"
-                )
-            return StarvedTransfer(self.conditions)
-        if by == "atlas" and self.conditions.has_atlas:
-            try:
-                return AtlasTransfer(self.conditions, self.atlas())
-            except RangeError as error:
-                law = "recommended" if self.conditions.slip_parameter == 1 else "two-waves"
-                raise RangeError(f"{error}. A law is used when named: by={law!r}") from error
-        if by in ("atlas", "two-waves"):
-            return TwoWaveTransfer(self.conditions)
-        if by == "recommended":
-            return RecommendedTransfer(self.conditions)
-        return FormulaTransfer(self.conditions)
+        return transfer_of(self.conditions, by, self._own_atlas())
 
     def deform(
         self,
@@ -771,28 +652,6 @@ def contact_of(given: Given) -> Contact:
     contact = Contact(heat=given.heat, **given.keys)
     contact.conditions = given.conditions
     return contact
-
-
-def _starved_response(conditions: Conditions, wave: float, angle_deg: float) -> Response:
-    """Return the response by the law of starved contacts."""
-    transfer = StarvedTransfer(replace(conditions, semi_axis_a_m=1.0))
-    if not is_fitted(wave, angle_deg):
-        raise RangeError(
-            f"wavelength_over_a = {wave:.5g} at angle_deg = {angle_deg:.5g} lies outside the law "
-            f"of starved contacts, which holds {WAVES_TEXT}"
-        )
-    turn = cmath.rect(1 / wave, math.radians(angle_deg)) if angle_deg < 90 else 1j / wave
-    along, across = np.array(turn.real), np.array(turn.imag)
-    film, error = complex(transfer.ratio(along, across)), float(transfer.error(along, across))
-    return Response(film, complex(math.nan, math.nan), error, transfer.name, has_phase=False)
-
-
-def _slip_given(slip: float | None, ratio: float | None, where: str) -> float | None:
-    """Return the slip parameter of an argument, by either of its names; None: neither is given."""
-    refuse_both({SLIP: slip, RATIO: ratio}, where)
-    if ratio is None:
-        return None if slip is None else number(slip, SLIP, where)
-    return slip_of(number(ratio, RATIO, where))
 
 
 def _warn(doubts: Sequence[str]) -> None:

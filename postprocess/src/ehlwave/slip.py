@@ -9,6 +9,7 @@ from typing import Any
 
 from ehlwave.errors import SurfaceError
 from ehlwave.hints import see
+from ehlwave.quantities import number
 
 SLIP, RATIO = "slip_parameter", "slide_to_roll_ratio"
 DECIMALS = 12
@@ -38,3 +39,11 @@ def merged(keys: Mapping[str, Any], later: Mapping[str, Any]) -> dict[str, Any]:
     """Return keys overridden by later ones; of the two names the later one counts."""
     dropped = {SLIP, RATIO} if {SLIP, RATIO} & set(later) else set()
     return {key: value for key, value in keys.items() if key not in dropped} | dict(later)
+
+
+def slip_given(slip: float | None, ratio: float | None, where: str) -> float | None:
+    """Return the slip parameter of an argument, by either of its names; None: neither is given."""
+    refuse_both({SLIP: slip, RATIO: ratio}, where)
+    if ratio is None:
+        return None if slip is None else number(slip, SLIP, where)
+    return slip_of(number(ratio, RATIO, where))

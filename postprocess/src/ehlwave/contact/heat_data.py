@@ -168,8 +168,8 @@ def heat_of_keys(keys: Mapping[str, Any], place: str) -> Heat:
 
     Raises SurfaceError if one is missing or is none that a contact has.
     """
-    own = [field.name for field in fields(Heat) if not field.name.startswith("body")]
-    own.remove(CONDUCTIVITY_ERROR)
+    names = [field.name for field in fields(Heat) if field.name != CONDUCTIVITY_ERROR]
+    own = [name for name in names if not name.startswith("body")]
     given = {key: number(keys[key], key, place) for key in own if key in keys}
     given.setdefault("oil_expansion_per_k", 0.0)
     for key in own:

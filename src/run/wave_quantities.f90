@@ -1,0 +1,130 @@
+!> Quantities of linear responses, see `ehlwave_quantities`.
+module ehlwave_wave_quantities
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_result, only: oil_sensitivity_t
+   use ehlwave_harmonic_result, only: harmonic_result_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_pair_result, only: pair_result_t
+   use ehlwave_quantity, only: quantity_list_t
+   implicit none (type, external)
+   private
+   public :: add_pair, add_response, add_sensitivities
+
+contains
+
+   !> The linear response to the waves of a surface.
+   subroutine add_response(list, harmonic, number, exists)
+      type(quantity_list_t), intent(inout) :: list
+      type(harmonic_result_t), intent(in) :: harmonic
+      character(len=*), intent(in) :: number         !! that names end in: '' of the first surface, '_2'
+      logical, intent(in) :: exists
+      character(len=:), allocatable :: of
+
+      of = ''
+      if (number /= '') of = ', surface 2'
+      call put('harmonic_ratio', 'Ad/Ai of small waves, linear response', harmonic%ratio)
+      call put('harmonic_phase', 'phase of the linear response of H(0,0)', harmonic%phase, unit='rad')
+      call put_complex('harmonic', 'transfer function pattern to H(0,0)', &
+                       cmplx(harmonic%real_part, harmonic%imaginary_part, dp))
+      call put_complex('harmonic_pressure', 'transfer function pattern (in c) to P(0,0)', harmonic%pressure)
+      call put('harmonic_approach', 'amplitude of the approach over Ai', harmonic%approach_ratio)
+      call put('harmonic_extrapolated', 'harmonic_ratio at mesh size 0', harmonic%extrapolated)
+      call put_complex('harmonic_extrapolated', 'transfer function pattern to H(0,0) at mesh size 0', &
+         harmonic%film_limit)
+      call put_complex('harmonic_pressure_extrapolated', &
+         'transfer function pattern (in c) to P(0,0) at mesh size 0', harmonic%pressure_limit)
+      call put('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
+      call put('harmonic_error_basis', 'what harmonic_error is from', trim(harmonic%error_basis))
+      call put('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', &
+         harmonic%mean_rise)
+      call put('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
+                    harmonic%smallest_film)
+      call put('smallest_film_x', 'X of the smallest film with waves, or of where they would touch', &
+         harmonic%smallest_film_x)
+      call put('smallest_film_y', 'Y of the smallest film with waves, or of where they would touch', &
+         harmonic%smallest_film_y)
+      call list%add_truth('surfaces_touch'//number, '1 when waves of Ai would touch the other surface, second '// &
+         'order: there is no smallest_film; -1: not known'//of, harmonic%surfaces_touch, exists=exists)
+      call add_waves()
+      call put('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
+      call put('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the '// &
+         'grid', harmonic%work_units)
+      call put('harmonic_counted_work_units', 'the same counted', harmonic%counted_work_units)
+
+   contains
+
+      subroutine put(name, long_name, value, unit)
+         character(len=*), intent(in) :: name, long_name
+         class(*), intent(in) :: value
+         character(len=*), intent(in), optional :: unit
+         call list%add(name//number, long_name//of, value, unit=unit, exists=exists)
+      end subroutine put
+
+      subroutine put_complex(name, long_name, value, unit)
+         character(len=*), intent(in) :: name, long_name
+         complex(dp), intent(in) :: value
+         character(len=*), intent(in), optional :: unit
+         call put(name//'_real', long_name//', real part', real(value, dp), unit)
+         call put(name//'_imaginary', long_name//', imaginary part', aimag(value), unit)
+      end subroutine put_complex
+
+      !> The two waves of the film at the centre.
+      subroutine add_waves()
+         associate (row => harmonic%waves%centre)
+            call put_complex('attenuated', 'wave of the film that moves with the surface, over Ai', row%fit%attenuated)
+            call put_complex('complementary', 'wave of the film that moves with the oil, over Ai', &
+               row%fit%complementary)
+            call put_complex('psi', 'wave number of the complementary wave', row%fit%psi, unit='1/a')
+            call put('two_wave_misfit', 'what both waves leave of the film, rms over Ai, |X| <= 0.5', row%fit%misfit)
+            call put_complex('attenuated_formula', 'attenuated wave over Ai in closed form', row%attenuated)
+            call put_complex('psi_formula', 'psi in closed form', row%psi, unit='1/a')
+         end associate
+      end subroutine add_waves
+
+   end subroutine add_response
+
+   !> Quantities of two rough surfaces besides those of the first.
+   subroutine add_pair(list, is_pair, pair)
+      type(quantity_list_t), intent(inout) :: list
+      logical, intent(in) :: is_pair
+      type(pair_result_t), intent(in) :: pair
+
+      call list%add('amplitude_ratio_fit_2', 'Ad/Ai of the waves of surface 2 from a harmonic fit', pair%ratio_fit, &
+         exists=is_pair)
+      call list%add('phase_fit_2', 'phase of their harmonic fit against their pattern at the centre', pair%phase_fit, &
+         unit='rad', exists=is_pair)
+      call add_response(list, pair%harmonic, '_2', is_pair)
+      call list%add('film_rms_both', 'rms of H(0,0) by the waves of both surfaces over central_film, phases free '// &
+         'even where the waves have one frequency, linear responses', pair%film_rms, exists=is_pair)
+      call list%add('mean_film_rise_both', 'mean film with the waves of both surfaces less smooth film over Ai of '// &
+         'the first, second order, linear responses', pair%mean_rise, exists=is_pair)
+      call list%add('mean_film_rise_cross', 'part of mean_film_rise_both that neither surface has alone', &
+         pair%cross_rise, exists=is_pair)
+      call list%add('smallest_film_both', 'smallest film with the waves of both surfaces anywhere at any time, '// &
+         'phases free even where the waves have one frequency, second order', pair%smallest_film, exists=is_pair)
+      call list%add_truth('surfaces_touch_both', '1 when both waves together would touch, second order; -1: not '// &
+         'known', pair%surfaces_touch, exists=is_pair)
+   end subroutine add_pair
+
+   !> Derivatives by the oil, where they were asked for.
+   subroutine add_sensitivities(list, case, by_oil)
+      type(quantity_list_t), intent(inout) :: list
+      type(case_t), intent(in) :: case
+      type(oil_sensitivity_t), intent(in) :: by_oil(:)
+      character(len=*), parameter :: by(2) = [character(len=6) :: 'alpha', 'stress'], &
+                                     of(2) = [character(len=31) :: 'alpha', 'the stress of the flow law']
+      integer :: x
+
+      do x = 1, size(by_oil)
+         call list%add('film_sensitivity_'//trim(by(x)), 'd ln H(0,0) of the smooth contact/d ln '//trim(of(x)), &
+            by_oil(x)%film, exists=case%sensitivities)
+         call list%add('response_sensitivity_'//trim(by(x)), 'd ln harmonic_ratio/d ln '//trim(of(x)), &
+            by_oil(x)%response, exists=case%sensitivities)
+         call list%add('response_real_by_'//trim(by(x)), 'd harmonic_real/d ln '//trim(of(x)), &
+            by_oil(x)%response_real, exists=case%sensitivities)
+         call list%add('response_imaginary_by_'//trim(by(x)), 'd harmonic_imaginary/d ln '//trim(of(x)), &
+                       by_oil(x)%response_imaginary, exists=case%sensitivities)
+      end do
+   end subroutine add_sensitivities
+
+end module ehlwave_wave_quantities
