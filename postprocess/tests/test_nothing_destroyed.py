@@ -19,7 +19,7 @@ from ehlwave.refit import RefitRow
 from ehlwave.writing import LIST_NAME, OutputError, Writer
 
 Capture = pytest.CaptureFixture[str]
-DEFAULT = "2000" if os.environ.get("EHLWAVE_LONG_TESTS") else "60"
+DEFAULT = "2000" if os.environ.get("EHLWAVE_LONG_TESTS") else "40"
 DRAWS = int(os.environ.get("EHLWAVE_DRAWS", DEFAULT))
 """Folders, in each of which two commands run, and once more where they succeed."""
 

@@ -77,7 +77,7 @@ contains
          steady_cost = merge(petsc_cost, 1.0_dp, case%method == 'petsc')
          if (plan%inlet%is_short()) steady_cost = starved_cost
          if (plan%is_fitted) steady_cost = fitted_cost*steady_cost
-         plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady*steady_cost &
+         plan%expected_work_units = (1 + plan%phases*phase_cost(case%amplitude_over_film))*steady*steady_cost &
                                     + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost
       end associate
       if (case%oil%shear_limit_over_pressure > 0) plan%expected_work_units = plan%expected_work_units* &
@@ -91,6 +91,14 @@ contains
       if (plan%surfaces%is_rough() .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
          plan%work_with_estimates = cost_of_estimate*plan%expected_work_units
    end subroutine expect
+
+   !> Work of a steady state with a standing pattern, found from the phase before, over that of the smooth one. Measured
+   !> at amplitudes of 1, 20, 50 and 90 % of the film (M = 50 to 300, L = 5 to 30, D = 0.2 and 1, transverse, isotropic
+   !> and longitudinal, 96 x 64 cells): 0.6 to 2 times this.
+   elemental real(dp) function phase_cost(amplitude)
+      real(dp), intent(in) :: amplitude    !! over the film
+      phase_cost = 0.5_dp*(1 + amplitude)/(1 - 0.9_dp*amplitude)
+   end function phase_cost
 
    !> A case takes at most ten times the work that its plan expects, rescues, error estimates and runs on finer grids
    !> included, unless it has a cap of its own, `largest_total_steps`.
