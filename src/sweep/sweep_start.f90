@@ -76,19 +76,19 @@ contains
       type(contents_t), intent(in) :: contents
       logical, intent(in) :: to_run(:)
       type(error_t), allocatable, intent(inout) :: error
-      integer :: f, first, i, others
+      integer :: changed, f, first, i, others
 
       others = 0
       do i = size(sweep%cases), 1, -1
          if (to_run(i)) cycle
          f = changed_file(sweep%plans(i), contents, contents%index%find(sweep%identity(i)))
          if (f == 0) cycle
+         changed = f
          first = i
          others = others + 1
       end do
       if (others == 0 .or. allocated(error)) return
-      f = changed_file(sweep%plans(first), contents, contents%index%find(sweep%identity(first)))
-      associate (file => sweep%plans(first)%files(f))
+      associate (file => sweep%plans(first)%files(changed))
          call raise(error, file%key//" = '"//file%path//"' has other numbers than when case "//to_text(first)// &
                     ' was stored ('//to_text(others)//' of '//to_text(size(to_run))//' cases): --retry files runs '// &
                     'these once more; or put the old file back, or give the new one another name')

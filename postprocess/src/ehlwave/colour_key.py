@@ -65,9 +65,10 @@ def colours_of(points: xr.Dataset, column: str) -> Colours:
 
 def draw_key(figure: Figure, panels: Sequence[Axes], colours: Colours) -> None:
     """Draw the key of the colours: a legend in the last panel, or a colour bar."""
+    name = SHORT.get(colours.column) or colours.column
     if colours.norm is not None:
         shown = ScalarMappable(colours.norm, _MAP)
-        figure.colorbar(shown, ax=list(panels), label=SHORT.get(colours.column) or colours.column)
+        figure.colorbar(shown, ax=list(panels), label=name)
         return
     handles = [
         Line2D([], [], linestyle="none", marker="o", markersize=4.5, color=shade, label=_text(one))
@@ -75,7 +76,7 @@ def draw_key(figure: Figure, panels: Sequence[Axes], colours: Colours) -> None:
     ]
     panels[-1].legend(
         handles=handles,
-        title=SHORT.get(colours.column) or colours.column,
+        title=name,
         loc="lower left",
         frameon=False,
         title_fontsize=8,

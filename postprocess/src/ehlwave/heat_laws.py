@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
-from ehlwave.contact.line_contact import moes_per_line_film
 from ehlwave.contact.scales import moes_per_film
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.friction_error import error_by_data
@@ -282,7 +281,7 @@ def isothermal_error_by_data(
         is_line=conditions.is_line,
     )
     c = conditions
-    per_film = moes_per_film(c.m, c.kappa) if c.d > 0 else moes_per_line_film(c.m)
+    per_film = moes_per_film(c.m, c.kappa)
 
     def friction(one: Sliding, _: float) -> float:
         found, over_c = shear_isothermal(one), film_moes / per_film * one.film_m / case.film_m

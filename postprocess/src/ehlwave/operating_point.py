@@ -550,19 +550,8 @@ class Contact:
         chosen(ends, "ends", WINDOWS)
         measured = read_surface(surface, ReadOptions(**reading))
         transfer = self.transfer(by)
-        conditions = self.conditions  # with the film of a formula
-        try:
-            conditions = self._with_film()
-        except RangeError:
-            if by == "atlas" or self.heat is not None:
-                raise
+        conditions = conditions_with_film(self, or_formula=by != "atlas")
         return deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
-
-    def _with_film(self) -> Conditions:
-        """Return the conditions with the film of the atlas, with heat that of :meth:`film`."""
-        if self.heat is not None:
-            return with_heated_film(self.conditions, self.film())
-        return with_atlas_film(self.conditions, self.atlas())
 
     def stress(
         self,
@@ -645,6 +634,22 @@ class Contact:
                 "Contact: the film in metres needs radius_x_m besides semi_axis_a_m, M, L and D"
             )
         return found.statistics.lambda_ratio_after
+
+
+def conditions_with_film(contact: Contact, *, or_formula: bool) -> Conditions:
+    """Return conditions with the film of the atlas, with heat that of :meth:`Contact.film`.
+
+    Outside the atlas, without heat, the film is that of a formula where `or_formula`; otherwise
+    raises RangeError there, and outside the laws of heat.
+    """
+    if contact.heat is not None:
+        return with_heated_film(contact.conditions, contact.film())
+    try:
+        return with_atlas_film(contact.conditions, contact.atlas())
+    except RangeError:
+        if or_formula:
+            return contact.conditions
+        raise
 
 
 def contact_of(given: Given) -> Contact:

@@ -6,8 +6,6 @@ Equation numbers are those of ``src/theory.md``.
 import math
 from dataclasses import dataclass, field
 
-from scipy.special import ellipk
-
 from ehlwave.contact.line_contact import (
     SLENDER_OVER_LINE,
     line_alphabar,
@@ -18,6 +16,7 @@ from ehlwave.contact.oils import Oil
 from ehlwave.contact.scales import (
     alphabar,
     corrected_film,
+    first_integral,
     lambdabar,
 )
 from ehlwave.contact.thinning import NEARLY_NEWTONIAN, film_loss, stresses_in_inlet
@@ -140,7 +139,7 @@ class Conditions:
         """
         if self.hertz_approach_c_m is None:
             return None
-        k = 1.0 if self.is_line else float(ellipk(1 - self.kappa**2))
+        k = first_integral(self.kappa)
         return 2 * k * self.semi_axis_a_m * self.hertz_pa / self.hertz_approach_c_m
 
     @property

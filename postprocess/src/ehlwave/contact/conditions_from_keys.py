@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from scipy.special import ellipe, ellipk
+from scipy.special import ellipe
 
 from ehlwave.contact.conditions import (
     FIT_ERROR,
@@ -19,9 +19,15 @@ from ehlwave.contact.conditions import (
     MOES_KEYS,
     Conditions,
 )
-from ehlwave.contact.line_contact import LINE_KEYS, LOAD_KEY, line_values, moes_per_line_film
+from ehlwave.contact.line_contact import LINE_KEYS, LOAD_KEY, line_values
 from ehlwave.contact.oils import Oil
-from ehlwave.contact.scales import ellipticity, moes_film, moes_per_film, pressure_factor
+from ehlwave.contact.scales import (
+    ellipticity,
+    first_integral,
+    moes_film,
+    moes_per_film,
+    pressure_factor,
+)
 from ehlwave.errors import SurfaceError
 from ehlwave.hints import did_you_mean, see
 from ehlwave.quantities import PLAUSIBLE, number
@@ -175,11 +181,9 @@ def _complete(
     approach, metres_per_moes = None, None
     source, error = GIVEN_TEXT, 0.0
     if "radius_x_m" in values and math.isfinite(semi_axis_a_m):
-        m_of = 1 - kappa**2
-        k, e = (float(ellipk(m_of)), float(ellipe(m_of))) if d > 0 else (1.0, 1.0)
+        k, e = first_integral(kappa), float(ellipe(1 - kappa**2))  # E = 1 of a line contact
         approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
-        per_film = moes_per_film(m, kappa) if d > 0 else float(moes_per_line_film(m))
-        metres_per_moes = approach / per_film
+        metres_per_moes = approach / moes_per_film(m, kappa)
         if film_m is None:
             film_m = moes_film(m, l, d) * metres_per_moes * ratio
             source, error = (FIT_TEXT, FIT_ERROR) if d > 0 else (LINE_FIT_TEXT, LINE_FIT_ERROR)

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import ellipk
 
 from ehlwave.contact.oils import DENSITY_LIMIT, DENSITY_PA, Oil, log_viscosity
+from ehlwave.contact.scales import first_integral
 
 Complex = NDArray[np.complex128]
 
@@ -125,7 +125,7 @@ def hertz_medium(
     pressure : float
         P at the centre.
     """
-    k = float(ellipk(1 - kappa**2)) if kappa > 0 else 1.0
+    k = first_integral(kappa)
     alpha, index = oil.pressure_viscosity_per_pa, oil.roelands_index
     hertz_pa = alphabar / alpha
     centre_pa = pressure * hertz_pa

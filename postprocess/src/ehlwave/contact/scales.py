@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 from scipy.special import ellipk, elliprd
 
-from ehlwave.contact.line_contact import line_film
+from ehlwave.contact.line_contact import line_film, moes_per_line_film
 from ehlwave.errors import SurfaceError
 
 Number = TypeVar("Number", float, NDArray[np.float64])
@@ -98,11 +98,17 @@ def corrected_film(m: float, l: float, d: float) -> float:  # noqa: E741
     return share * moes_film(m, l, d) / moes_per_film(m, kappa)
 
 
+def first_integral(kappa: float) -> float:
+    """Return the elliptic integral K of eq. (3); 1 of a line contact, kappa = 0."""
+    return float(ellipk(1 - kappa**2)) if kappa > 0 else 1.0
+
+
 def moes_per_film(m: float, kappa: float) -> float:
-    """Return the film in the Moes scale per unit of H, eq. (6)."""
+    """Return the film in the Moes scale per unit of H, eq. (6); of a line contact kappa is 0."""
+    if kappa == 0:
+        return float(moes_per_line_film(m))
     b = integral_combinations(kappa)[1]
-    k = float(ellipk(1 - kappa**2))
-    return k / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
+    return first_integral(kappa) / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
 
 
 def integral_combinations(kappa: float) -> tuple[float, float]:

@@ -16,12 +16,9 @@ ones Carreau's grows less for n above 1/6.
 import math
 from dataclasses import replace
 
-from scipy.special import ellipk
-
-from ehlwave.contact.line_contact import moes_per_line_film
 from ehlwave.contact.medium import INLET_VISCOSITY, hertz_medium
 from ehlwave.contact.oils import Oil
-from ehlwave.contact.scales import moes_film, moes_per_film
+from ehlwave.contact.scales import first_integral, moes_film, moes_per_film
 
 BY_PRESSURE, PIEZOVISCOUS, BY_SLIP = 0.03, 0.16, 0.008
 """Relative loss of film over N^2, the same times L where that is less, and over T. They are bounds:
@@ -64,12 +61,10 @@ def stresses_in_inlet(
     oil = as_ree_eyring(oil)
     if oil.stress_modulus_pa2 is None:
         return 0.0, 0.0
-    m, _, d = moes
-    k = float(ellipk(1 - kappa**2)) if d > 0 else 1.0
-    film = moes_film(*moes) / (moes_per_film(m, kappa) if d > 0 else float(moes_per_line_film(m)))
+    film = moes_film(*moes) / moes_per_film(moes[0], kappa)
     medium = hertz_medium(oil, kappa, alphabar, lambdabar, film, slip)
     hertz_pa = alphabar / oil.pressure_viscosity_per_pa
-    by_pressure = k * hertz_pa**2 / oil.stress_modulus_pa2 * film ** (2 / 3)
+    by_pressure = first_integral(kappa) * hertz_pa**2 / oil.stress_modulus_pa2 * film ** (2 / 3)
     return by_pressure, INLET_VISCOSITY * medium.thinning
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import read_given
 from ehlwave.deform.answer import answer_of_two
-from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film, with_heated_film
+from ehlwave.deform.atlas_transfer import AtlasTransfer
 from ehlwave.deform.coefficients import read_coefficients
 from ehlwave.deform.pair import DeformedPair
 from ehlwave.deform.period import cut_period
@@ -33,7 +33,7 @@ from ehlwave.deform.table import TableTransfer
 from ehlwave.deform.table_read import read_table
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.operating_point import Contact, contact_of
+from ehlwave.operating_point import conditions_with_film, contact_of
 from ehlwave.writing import Writer
 
 MOST_COMPARED = 2**20
@@ -49,7 +49,7 @@ def read_options(options: argparse.Namespace) -> ReadOptions:
 def run_deform(options: argparse.Namespace) -> None:
     """Predict the shape of a surface, or two, inside the contact; print and write it."""
     given = read_given(options.conditions)
-    conditions = _with_film(contact_of(given))
+    conditions = conditions_with_film(contact_of(given), or_formula=True)
     results = [_predicted(options, options.surface, conditions)]
     results[0].warnings.extend(given.notices)
     pair = None
@@ -181,16 +181,3 @@ def _others(result: Deformed, options: argparse.Namespace) -> list[Deformed]:
         for other in every
         if other.name != result.transfer_name
     ]
-
-
-def _with_film(contact: Contact) -> Conditions:
-    """Return conditions with the film of the atlas, or with that of the formula outside it.
-
-    Raises RangeError if there is heat and its laws, or the atlas, do not have the contact.
-    """
-    if contact.heat is not None:
-        return with_heated_film(contact.conditions, contact.film())
-    try:
-        return with_atlas_film(contact.conditions)
-    except RangeError:
-        return contact.conditions
