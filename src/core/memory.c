@@ -1,7 +1,8 @@
 /* How much memory this process can have, and its end where the system gives no more. The interfaces are in memory.f90.
 
    Programs are linked with --wrap=malloc, calloc and realloc where the linker knows it (src/CMakeLists.txt): whatever our own files
-   allocate, temporary arrays of the compiler included, passes through here, so that no place has to look at the answer. */
+   allocate, temporary arrays of the compiler included, passes through here, so that no place has to look at the answer. So does the
+   start of OpenMP's threads, where it is GNU's (--wrap=GOMP_parallel). */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <float.h>
@@ -61,6 +62,19 @@ int ehlwave_can_allocate(size_t bytes)
    free(memory);
    return is_there;
 }
+
+#ifdef EHLWAVE_WRAPS_TEAMS
+enum { TEAM_BYTES = 65536 };   /* more than libgomp takes for a team: 1.5 KiB and about 100 bytes a thread */
+
+void __real_GOMP_parallel(void (*body)(void *), void *data, unsigned threads, unsigned flags);
+
+/* libgomp allocates a team of threads by itself, and would end the program with a status of its own. */
+void __wrap_GOMP_parallel(void (*body)(void *), void *data, unsigned threads, unsigned flags)
+{
+   if (!ehlwave_can_allocate(TEAM_BYTES)) ehlwave_out_of_memory(TEAM_BYTES);
+   __real_GOMP_parallel(body, data, threads, flags);
+}
+#endif
 
 static double smaller(double a, double b) { return a < b ? a : b; }
 

@@ -140,18 +140,22 @@ class Memory(Ends):
 
     def run_out(self, left):
         """Exit status and standard error of a case that is left so many bytes more when it begins to compute."""
-        process = subprocess.Popen([CASE, "case.nml", "--quiet"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                   text=True)
-        with process:
-            for line in process.stdout:
-                if "work units" in line:   # the plan is printed
-                    break
-            begin = has = self.addresses(process)
-            while process.poll() is None and has < begin + 8*MIB:
-                has = self.addresses(process)
-            resource.prlimit(process.pid, resource.RLIMIT_AS, (has + left, has + left))
-            _, said = process.communicate(timeout=HANGS_S)
-        return process.returncode, said
+        for _ in range(10):
+            process = subprocess.Popen([CASE, "case.nml", "--quiet"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                       text=True)
+            with process:
+                for line in process.stdout:
+                    if "work units" in line:   # the plan is printed
+                        break
+                begin = has = self.addresses(process)
+                while process.poll() is None and has < begin + 8*MIB:
+                    has = self.addresses(process)
+                resource.prlimit(process.pid, resource.RLIMIT_AS, (has + left, has + left))
+                is_in_time = self.addresses(process) <= has + left
+                _, said = process.communicate(timeout=HANGS_S)
+            if is_in_time:
+                return process.returncode, said
+        return self.fail("the limit came too late, ten times")
 
     @staticmethod
     def addresses(process):
