@@ -3,7 +3,8 @@ module ehlwave_domain_choice
    use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_far_field, only: far_field_t, new_far_field, rising_exponent
-   use ehlwave_film_flow, only: across_film_t, film_flow_t
+   use ehlwave_film_flow, only: film_flow_t
+   use ehlwave_film_rules, only: across_film_t
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_grid, only: strip_width
    use ehlwave_kinds, only: dp

@@ -86,7 +86,7 @@ contains
          call problem%rheology%generalise()
          if (.not. allocated(problem%film_flow)) &
             problem%film_flow = problem%rheology%film_flow(c%elliptic%k, c%lambdabar, c%slip_parameter)
-         call problem%film_flow%set_levels(levels)
+         call problem%film_flow%rules%set_levels(levels)
          problem%heat = new_film_heat(levels, nx, ny, problem%film_flow)
       end associate
    end subroutine warm_problem

@@ -1,8 +1,8 @@
 !> Velocity of the oil and heat that it makes, at levels across the film of each node.
 module ehlwave_film_shear
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_film_flow, only: across_film_t
    use ehlwave_film_levels, only: film_levels_t, integrate_levels, most_levels
+   use ehlwave_film_rules, only: across_film_t
    use ehlwave_heat_data, only: heat_scales_t
    use ehlwave_kinds, only: dp
    use ehlwave_shear_stress, only: least_pressure, node_gradient, oil_of_row

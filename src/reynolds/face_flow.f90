@@ -7,10 +7,12 @@
 !> (eps_1 + eps_2) (P_2 - P_1), 2 hX rho Qhat_x along X and (2 hY/kappa) rho Qhat_y along Y, so that 1/(2 hX^2) and
 !> kappa^2/(2 hY^2) weight them in the Reynolds equation.
 module ehlwave_face_flow
-   use ehlwave_film_flow, only: across_film_t, along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, &
-      flow_by_ln_eta, flow_by_p, flow_q, flow_values
+   use ehlwave_film_flow, only: film_flow_t
    use ehlwave_film_heat, only: film_heat_t
+   use ehlwave_film_rules, only: across_film_t
    use ehlwave_fitted_mean, only: fit_flows, places_of_face
+   use ehlwave_flow_values, only: along_x, along_y, flow_by_gx, flow_by_gy, flow_by_h, flow_by_ln_eta, flow_by_p, &
+      flow_q, flow_values
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_threads, only: is_shared

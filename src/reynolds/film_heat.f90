@@ -1,6 +1,7 @@
 !> Temperatures of the oil as the flow takes them: held while pressure and film are solved for.
 module ehlwave_film_heat
-   use ehlwave_film_flow, only: across_film_t, film_flow_t
+   use ehlwave_film_flow, only: film_flow_t
+   use ehlwave_film_rules, only: across_film_t
    use ehlwave_kinds, only: dp
    use ehlwave_rheology, only: rheology_t
    implicit none (type, external)
@@ -109,7 +110,7 @@ contains
             self%thinning(k, i, j) = -slope(i, k)
          end do
       end do
-      if (allocated(self%moments)) call film%moments_of(self%ln_fluidity(:, :last, j), self%range(:last, j), &
+      if (allocated(self%moments)) call film%rules%moments_of(self%ln_fluidity(:, :last, j), self%range(:last, j), &
                                                         self%moments(:, :last, j))
    end subroutine weigh_row
 

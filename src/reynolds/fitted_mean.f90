@@ -1,7 +1,9 @@
 !> Means between two nodes of the fitted scheme, and by them one flow of an oil that thins: theory eq. (D11), (D13).
 module ehlwave_fitted_mean
-   use ehlwave_film_flow, only: across_film_t, along_x, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, &
-      flow_by_ln_eta, flow_by_p, flow_q, flow_values
+   use ehlwave_film_flow, only: film_flow_t
+   use ehlwave_film_rules, only: across_film_t
+   use ehlwave_flow_values, only: along_x, flow_by_gx, flow_by_gy, flow_by_h, flow_by_ln_eta, flow_by_p, flow_q, &
+      flow_values
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private

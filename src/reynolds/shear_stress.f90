@@ -2,7 +2,7 @@
 module ehlwave_shear_stress
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_film_flow, only: across_film_t
+   use ehlwave_film_rules, only: across_film_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor

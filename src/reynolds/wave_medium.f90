@@ -1,7 +1,7 @@
 !> The medium that small waves meet in a solution: film and oil at each node.
 module ehlwave_wave_medium
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_film_flow, only: across_film_t
+   use ehlwave_film_rules, only: across_film_t
    use ehlwave_kinds, only: dp
    use ehlwave_shear_stress, only: node_gradient, oil_of_row
    use ehlwave_state, only: state_t

@@ -2,9 +2,10 @@
 program test_film_flow
    use ehlwave_carreau_law, only: new_carreau_law
    use ehlwave_eyring_law, only: eyring_law_t
-   use ehlwave_film_flow, only: across_film_t, along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_q, flow_values, &
-      new_film_flow
+   use ehlwave_film_flow, only: film_flow_t, new_film_flow
+   use ehlwave_film_rules, only: across_film_t
    use ehlwave_flow_law, only: flow_law_t
+   use ehlwave_flow_values, only: along_x, along_y, flow_by_gx, flow_by_gy, flow_q, flow_values
    use ehlwave_kinds, only: dp
    use ehlwave_shear_limit, only: limit_floor, new_shear_limit
    use testing, only: test_t
@@ -198,7 +199,7 @@ contains
       if (present(limit) .or. present(ln_fluidity)) allocate (across)
       if (present(limit)) flow%limit = new_shear_limit(limit, 0.1_dp)
       if (present(ln_fluidity)) then
-         call flow%set_levels(size(ln_fluidity) - 1)
+         call flow%rules%set_levels(size(ln_fluidity) - 1)
          across%ln_fluidity = reshape(ln_fluidity, [size(ln_fluidity), 1])
          across%range = [maxval(ln_fluidity) - minval(ln_fluidity)]
          if (flow%has_moments()) call take_moments(flow, across)
@@ -235,7 +236,7 @@ contains
       integer :: k
 
       flow = new_film_flow(new_carreau_law(1.0_dp), n0, lambdabar, 1.5_dp)
-      call flow%set_levels(levels)
+      call flow%rules%set_levels(levels)
       across%ln_fluidity = reshape([(log(1 + c*(2.0_dp*k/levels - 1)), k=0, levels)], [levels + 1, 1])
       call take_moments(flow, across)
       variation = n0*h*g
@@ -254,7 +255,7 @@ contains
       associate (ln => across%ln_fluidity)
          allocate (across%moments(0:2, 1))
          across%range = maxval(ln, 1) - minval(ln, 1)
-         call flow%moments_of(ln, across%range, across%moments)
+         call flow%rules%moments_of(ln, across%range, across%moments)
       end associate
    end subroutine take_moments
 
