@@ -5,8 +5,9 @@ module ehlwave_complex_near_rows
    use ehlwave_flow, only: flow_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
+   use ehlwave_mesh, only: mesh_t
    use ehlwave_near_kernel, only: near_kernel_t
-   use ehlwave_reynolds, only: flow_links, mesh_t, poiseuille_links
+   use ehlwave_reynolds_links, only: flow_links, poiseuille_links
    implicit none (type, external)
    private
    public :: near_rows, node_links

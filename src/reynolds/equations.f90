@@ -7,8 +7,10 @@ module ehlwave_equations
    use ehlwave_given, only: given_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
+   use ehlwave_mesh, only: mesh_t, new_mesh
    use ehlwave_oil_content, only: new_content, oil_content_t
-   use ehlwave_reynolds, only: driven_flow, follow_state, mesh_t, new_mesh, reynolds_residual, reynolds_scale
+   use ehlwave_reynolds, only: driven_flow, follow_state, reynolds_residual
+   use ehlwave_reynolds_links, only: reynolds_scale
    use ehlwave_state, only: state_t
    use ehlwave_threads, only: is_shared
    use ehlwave_work_unit, only: evaluation_operations

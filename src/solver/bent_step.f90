@@ -2,7 +2,7 @@
 module ehlwave_bent_step
    use ehlwave_equations, only: equations_t
    use ehlwave_kinds, only: dp
-   use ehlwave_reynolds, only: intake
+   use ehlwave_reynolds_links, only: intake
    use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private

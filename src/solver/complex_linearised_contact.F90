@@ -16,7 +16,8 @@ module ehlwave_complex_linearised_contact
    use ehlwave_load_balance, only: load_factor
    use ehlwave_real_transfer, only: inject
    use ehlwave_near_kernel, only: near_kernel_t, new_near_kernel
-   use ehlwave_reynolds, only: flow_links, poiseuille_links, reynolds_change
+   use ehlwave_reynolds, only: reynolds_change
+   use ehlwave_reynolds_links, only: flow_links, poiseuille_links
    use ehlwave_threads, only: is_shared, row_block, team_size, thread_number
    use ehlwave_work_unit, only: weights => complex_weights
    implicit none (type, external)

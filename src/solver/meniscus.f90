@@ -5,7 +5,7 @@ module ehlwave_meniscus
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_oil_content, only: oil_content_t
-   use ehlwave_reynolds, only: flow_links, poiseuille_links
+   use ehlwave_reynolds_links, only: flow_links, poiseuille_links
    use ehlwave_state, only: state_t
    implicit none (type, external)
    private

@@ -15,7 +15,8 @@ module ehlwave_real_linearised_contact
    use ehlwave_real_near_rows, only: near_rows
    use ehlwave_real_transfer, only: inject, prolong, restrict
    use ehlwave_real_wedge, only: wedge_t
-   use ehlwave_reynolds, only: flow_links, poiseuille_links, reynolds_change
+   use ehlwave_reynolds, only: reynolds_change
+   use ehlwave_reynolds_links, only: flow_links, poiseuille_links
    use ehlwave_threads, only: is_shared, row_block, team_size, thread_number
    use ehlwave_transport, only: implicit_part, transport_t
    use ehlwave_work_unit, only: weights => real_weights

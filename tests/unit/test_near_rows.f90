@@ -3,9 +3,10 @@ program test_near_rows
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_flow, only: flow_t, new_flow
    use ehlwave_kinds, only: dp
+   use ehlwave_mesh, only: new_mesh
    use ehlwave_near_kernel, only: near_kernel_t, near_settings_t, new_near_kernel
    use ehlwave_real_near_rows, only: near_rows
-   use ehlwave_reynolds, only: new_mesh, reynolds_change
+   use ehlwave_reynolds, only: reynolds_change
    use ehlwave_text, only: to_text
    use ehlwave_transport, only: characteristic_transport, steady_transport, transport_t
    use sample_contact, only: bump_pressure, make_contact
