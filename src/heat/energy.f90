@@ -1,51 +1,30 @@
 !> Temperatures of the film and of both surfaces at a state: the equation of energy, theory eq. (T6) and (T7).
 !>
-!> The oil and the surfaces carry heat downstream, so the rows are marched along X, column by column, where oil flows
-!> back to and fro. Oil from a row that comes later brings the rise of the march before. Marches follow on each other
-!> while viscosity and pressure settle, so that none is repeated for that alone.
+!> Marches along the rows (`ehlwave_heat_rows`) follow on each other while viscosity and pressure settle, so that none
+!> is repeated for that alone.
 module ehlwave_energy
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_film_column, only: column_t, new_column, pass_across, pass_along, solve_column
    use ehlwave_film_heat, only: new_film_heat
-   use ehlwave_film_levels, only: film_levels_t, new_film_levels
-   use ehlwave_film_shear, only: film_shear_t, new_film_shear, shear_film
+   use ehlwave_film_levels, only: new_film_levels
+   use ehlwave_film_shear, only: new_film_shear, shear_film
    use ehlwave_flow, only: flow_t
    use ehlwave_grid, only: grid_t
    use ehlwave_heat_data, only: heat_scales_t
+   use ehlwave_heat_rows, only: heat_rows_t
    use ehlwave_kinds, only: dp
-   use ehlwave_layer_flux, only: find_layer_fluxes, layer_flux_t
+   use ehlwave_layer_flux, only: find_layer_fluxes
    use ehlwave_shear_stress, only: least_pressure
    use ehlwave_state, only: state_t
-   use ehlwave_wall_heat, only: wall_weights
-   use ehlwave_wall_history, only: new_wall_history, wall_history_t
+   use ehlwave_wall_history, only: new_wall_history
    implicit none (type, external)
    private
    public :: new_energy, warm_problem
 
-   !> Oil at the time before.
-   type, public :: earlier_t
-      real(dp) :: dt = 0                                       !! time since, in units of a/ubar
-      real(dp), allocatable :: f(:, :), p(:, :), rise(:, :, :) !! rho H, P and K, all nodes
-      real(dp), allocatable :: before(:, :, :)                 !! K, as long before that
-   end type earlier_t
-
-   type, public :: energy_t
-      type(film_levels_t) :: levels
-      type(heat_scales_t) :: scales
-      type(film_shear_t) :: shear
-      type(layer_flux_t) :: flux
-      real(dp), allocatable :: rise(:, :, :)        !! of the last march, K, (0:levels, 0:nx, 0:ny)
-      real(dp), allocatable :: into_wall(:, :, :)   !! d theta/d zeta over H, into surfaces 1 and 2, (2, 0:nx, 0:ny)
-      real(dp) :: difference = huge(1.0_dp)         !! of its mean rise from that before, over the largest,
-      real(dp) :: heat_difference = huge(1.0_dp)    !! and of the heat of shear, which goes with friction
+   !> Its rows, and how far the last march has settled.
+   type, extends(heat_rows_t), public :: energy_t
+      real(dp) :: heat_difference = huge(1.0_dp)    !! relative change of the heat of shear, which goes with friction
       real(dp) :: film_difference = huge(1.0_dp)    !! relative change of H(0,0) since, which who solves for it writes
-      integer, allocatable :: until(:)              !! last node of each row that the last march came to, see `march`
       real(dp), private :: heat = 0                 ! of shear
-      type(earlier_t), allocatable :: earlier       !! absent: the steady state
-      type(wall_history_t), allocatable :: walls(:) !! of surfaces 1 and 2, by what heat into them is beside that of the
-                                                    !! steady state; with `earlier`
-      real(dp), allocatable, private :: steady_rise(:, :, :), steady_heat(:, :, :)   ! of surfaces 1 and 2 and into them
-                                                                                     ! then, (2, 0:nx, 0:ny)
    contains
       procedure :: start_in_time
       procedure :: pass_time
@@ -53,13 +32,9 @@ module ehlwave_energy
       procedure :: march
       procedure :: finish
       procedure :: weigh
-      procedure, private :: march_rows
-      procedure, private :: march_row
    end type energy_t
 
-   integer, parameter :: steady_turns = 1, turns_in_time = 2   ! marches that follow settle a steady state
    real(dp), parameter :: bearing = 1e-3_dp        ! P of nodes whose heat is compared
-   real(dp), parameter :: near = 0.1_dp, largest_step_k = 100
    integer, parameter :: beside = 2   ! rows and nodes beyond the film under pressure that marches of it alone take
 
 contains
@@ -110,9 +85,7 @@ contains
       end do
       self%steady_heat = self%into_wall
       allocate (self%earlier)
-      self%earlier%dt = dt
-      call take_oil(self%earlier, problem, state)
-      self%earlier%before = self%earlier%rise
+      call self%earlier%begin(problem, state, dt)
    end subroutine start_in_time
 
    !> Let them be those of the time after the last ones.
@@ -126,20 +99,8 @@ contains
          call self%walls(wall)%take(self%into_wall(wall, :, :) - self%steady_heat(wall, :, :))
          call self%walls(wall)%go_on()
       end do
-      call move_alloc(self%earlier%rise, self%earlier%before)
-      call take_oil(self%earlier, problem, state)
+      call self%earlier%pass(problem, state)
    end subroutine pass_time
-
-   !> The oil as it is now.
-   pure subroutine take_oil(earlier, problem, state)
-      type(earlier_t), intent(inout) :: earlier
-      type(contact_problem_t), intent(in) :: problem
-      type(state_t), intent(in) :: state
-      earlier%p = state%p
-      if (.not. allocated(earlier%f)) allocate (earlier%f, mold=state%p)
-      earlier%f(:, :) = problem%density(state%p)*state%h
-      earlier%rise = problem%heat%rise
-   end subroutine take_oil
 
    !> Temperatures as they went on in the last step: a first guess of those of the next.
    pure subroutine look_ahead(self, problem)
@@ -227,159 +188,5 @@ contains
       type(state_t), intent(in) :: state
       call problem%heat%weigh(problem%rheology, problem%film_flow, self%levels%weight, state%p, self%until)
    end subroutine weigh
-
-   !> All rows, each from its own node on.
-   pure subroutine march_rows(self, problem, h, f, from)
-      class(energy_t), intent(inout) :: self
-      type(contact_problem_t), intent(in) :: problem
-      real(dp), intent(in) :: h(0:, 0:), f(0:, 0:)   !! H and rho H
-      integer, intent(in) :: from(0:)                !! see `march_row`
-      real(dp) :: w(0:problem%grid%nx)
-      integer :: j
-
-      w = wall_weights(problem%grid%nx, problem%grid%hx)
-      w = w(problem%grid%nx:0:-1)
-      do j = problem%grid%first_row, problem%grid%last_row
-         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, w, h(:, j), f(:, j), &
-                             problem%heat%rise(:, :, j), j, from(j))
-      end do
-   end subroutine march_rows
-
-   !> One row, from a node on. Where oil flows back, columns are solved upstream and downstream in turn.
-   pure subroutine march_row(self, grid, kappa, w, h, f, before, j, from)
-      class(energy_t), intent(inout) :: self
-      type(grid_t), intent(in) :: grid
-      real(dp), intent(in) :: kappa
-      real(dp), intent(in), contiguous :: w(0:)    !! of `wall_weights`, backward
-      real(dp), intent(in), contiguous :: h(0:), f(0:)   !! H and rho H of the row, (0:nx)
-      real(dp), intent(in), contiguous :: before(0:, 0:) !! rise at which the source is known, (0:levels, 0:nx)
-      integer, intent(in) :: j
-      integer, intent(in) :: from                  !! the node before the first, 0: the inlet; else to the outlet
-      real(dp) :: q(0:grid%nx, 2)                  ! heat flows into surfaces 1 and 2
-      type(column_t) :: column
-      integer :: end, i, last, turn
-
-      column = new_column(self%levels%n)
-      q = transpose(self%into_wall(:, :, j))
-      end = grid%nx - 1
-      last = from
-      if (from == 0) then
-         end = min(end, self%until(j))
-         do i = 1, end
-            if (any(self%flux%x(:, i - 1, j) < 0)) last = i
-         end do
-         do turn = 1, merge(turns_in_time, steady_turns, allocated(self%earlier))
-            do i = last, 1, -1
-               call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
-            end do
-            self%rise(:, 0, j) = merge(0.0_dp, self%rise(:, 1, j), self%flux%x(:, 0, j) >= 0)
-            do i = 1, last
-               call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
-            end do
-         end do
-      end if
-      do i = last + 1, end
-         call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
-      end do
-      do i = end + 1, grid%nx
-         self%rise(:, i, j) = self%rise(:, end, j)
-      end do
-      self%into_wall(:, :, j) = transpose(q)
-   end subroutine march_row
-
-   !> One node. Flows through its sides take the rise from upstream, of second order; oil that flows back along X of
-   !> first.
-   pure subroutine solve_node(self, grid, kappa, h, f, w, q, before, i, j, column)
-      type(energy_t), intent(inout) :: self
-      type(grid_t), intent(in) :: grid
-      real(dp), intent(in) :: kappa, h, f          !! H and rho H of the node
-      real(dp), intent(in), contiguous :: w(0:)    !! of `wall_weights`, backward
-      real(dp), intent(inout), contiguous :: q(0:, :)    !! heat flows into surfaces 1 and 2 of the row
-      real(dp), intent(in), contiguous :: before(0:)     !! rise at which the source is known
-      integer, intent(in) :: i, j
-      type(column_t), intent(inout) :: column      !! work space
-      real(dp) :: cx, cy, into(2), share
-      integer :: above, below, k, m
-
-      cx = 1/grid%hx
-      cy = kappa/grid%hy
-      above = grid%above(j)
-      below = grid%below(j)
-      associate (theta => self%rise, x => self%flux%x, y => self%flux%y, nx => grid%nx)
-         call pass_along(column, cx, x(:, i - 1, j), x(:, i, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j), &
-                         theta(:, i + 1, j))
-         if (.not. grid%is_line) then
-            if (below > j) then                    ! the line of symmetry
-               call pass_across(column, [cy, cy], y(:, i, j), y(:, i, j), theta(:, i, farther(below, 1)), &
-                                theta(:, i, below), theta(:, i, above), theta(:, i, farther(above, 1)))
-            else
-               call pass_across(column, [-cy, cy], y(:, i, below), y(:, i, j), theta(:, i, farther(below, -1)), &
-                                theta(:, i, below), theta(:, i, above), theta(:, i, farther(above, 1)))
-            end if
-         end if
-         if (allocated(self%earlier)) call stay(column, self%earlier, f, i, j)
-         column%own_share = merge(1.0_dp, 0.0_dp, self%difference < near)
-         column%convection = self%scales%convection*h
-         column%h = h
-         if (allocated(self%walls)) then
-            column%wall_own = self%walls%own
-            column%wall_before = self%steady_rise(:, i, j) - column%wall_own*self%steady_heat(:, i, j) &
-                                 + [self%walls(1)%rise(i, j), self%walls(2)%rise(i, j)]
-         else
-            do m = 1, 2
-               column%wall_before(m) = self%scales%wall(m)*heated(i, w(nx - i:), q(:, m))
-            end do
-            column%wall_own = self%scales%wall*w(nx)
-         end if
-         call solve_column(column, self%levels, self%shear%made(:, :, i, j), before, theta(:, i, j), into)
-         share = 0
-         do k = 0, self%levels%n
-            share = max(share, abs(theta(k, i, j) - before(k)))
-         end do
-         if (share > largest_step_k) then
-            share = largest_step_k/share
-            theta(:, i, j) = before + share*(theta(:, i, j) - before)
-            into = share*into
-         end if
-         q(i, :) = into
-      end associate
-
-   contains
-
-      !> Sum of so many weighted heat flows upstream.
-      pure real(dp) function heated(n, w, q)
-         integer, intent(in) :: n
-         real(dp), intent(in) :: w(n), q(n)
-         integer :: l
-         heated = 0
-         !$omp simd reduction(+:heated)
-         do l = 1, n
-            heated = heated + w(l)*q(l)
-         end do
-      end function heated
-
-      !> The row beyond a row, on the way of oil that comes from there; itself at the edge.
-      pure integer function farther(row, step)
-         integer, intent(in) :: row, step
-         farther = row + step
-         if (farther < 0 .and. grid%is_half) farther = -farther
-         if (farther < 0 .or. farther > grid%ny) farther = row
-      end function farther
-
-   end subroutine solve_node
-
-   !> Oil of the time before that a node holds, in (T9).
-   pure subroutine stay(column, then, f, i, j)
-      type(column_t), intent(inout) :: column
-      type(earlier_t), intent(in) :: then
-      real(dp), intent(in) :: f                        !! rho H now
-      integer, intent(in) :: i, j
-      integer :: k
-      do k = 0, ubound(then%rise, 1)
-         column%own(k) = column%own(k) + f/then%dt
-         column%brought(k) = column%brought(k) + then%f(i, j)*then%rise(k, i, j)/then%dt
-         column%net(k) = column%net(k) + (f - then%f(i, j))/then%dt
-      end do
-   end subroutine stay
 
 end module ehlwave_energy
