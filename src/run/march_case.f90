@@ -9,6 +9,7 @@ module ehlwave_march_case
    use ehlwave_kinds, only: dp, pi
    use ehlwave_layer_change, only: layer_changes
    use ehlwave_march_keeper, only: march_keeper_t
+   use ehlwave_march_result, only: march_result_t
    use ehlwave_march_settings, only: march_settings_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_planned_case, only: case_plan_t
@@ -18,7 +19,7 @@ module ehlwave_march_case
    use ehlwave_status, only: status_converged, status_interrupted, status_name
    use ehlwave_surface_plan, only: surface_positions
    use ehlwave_text, only: to_text
-   use ehlwave_time_march, only: march_result_t, march_t, steps_per_stretch
+   use ehlwave_time_march, only: march_t, steps_per_stretch
    implicit none (type, external)
    private
    public :: march_settings, run_moving, step_limits, step_tolerance, take_last_period

@@ -6,12 +6,12 @@ module ehlwave_periodic_case
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_case, only: march_settings, step_limits, step_tolerance, take_last_period
+   use ehlwave_march_result, only: march_result_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_periodic_state, only: periodic_state_t
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_rescue, only: rescue_t
    use ehlwave_text, only: to_text
-   use ehlwave_time_march, only: march_result_t
    implicit none (type, external)
    private
    public :: find_periodic_state

@@ -5,10 +5,10 @@ module ehlwave_settling
    use ehlwave_case_result, only: case_result_t
    use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_layer_change, only: layer_changes
+   use ehlwave_march_result, only: march_result_t
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
-   use ehlwave_time_march, only: march_result_t
    implicit none (type, external)
    private
    public :: left_to_come, settling_error, unrest_text, wave_parts

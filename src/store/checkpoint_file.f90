@@ -120,7 +120,7 @@ contains
       associate (r => march%result, past => march%past, given => march%given, rescue => march%rescue)
          if (.not. allocated(given%rough)) call given%set_rough(0*given%transport%carried)   ! before step 1
          call bytes%numbers(seconds)
-         call bytes%numbers(march%approach)
+         call bytes%numbers(march%history%approach)
          call bytes%numbers(past%before%delta)
          call bytes%numbers(past%earlier%delta)
          call bytes%numbers(past%earliest%delta)
@@ -146,7 +146,7 @@ contains
          call bytes%numbers(past%before%h)
          call bytes%numbers(past%earlier%p)
          call bytes%numbers(past%earliest%p)
-         call bytes%numbers(march%history)
+         call bytes%numbers(march%history%f)
          call bytes%numbers(given%transport%carried)
          call bytes%numbers(given%rough)
       end associate

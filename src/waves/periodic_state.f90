@@ -8,14 +8,15 @@ module ehlwave_periodic_state
    use ehlwave_kinds, only: dp
    use ehlwave_known_waves, only: known_waves_t
    use ehlwave_lagrange, only: lagrange_weights
+   use ehlwave_march_result, only: march_result_t
    use ehlwave_march_settings, only: march_settings_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_rescue, only: rescue_t
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
-   use ehlwave_time_march, only: march_result_t, march_t
    use ehlwave_surfaces, only: surfaces_t
+   use ehlwave_time_march, only: march_t
    implicit none (type, external)
    private
 

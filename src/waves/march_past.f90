@@ -1,0 +1,186 @@
+!> A time march so far: what its next step starts from and is given.
+module ehlwave_march_past
+   use ehlwave_assertions, only: assert, checks
+   use ehlwave_first_guess, only: carried_share, carry_on, extrapolate, look_up, past_t
+   use ehlwave_given, only: given_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_hierarchy, only: level_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_known_waves, only: known_waves_t
+   use ehlwave_last_period, only: last_period_t
+   use ehlwave_load_balance, only: equation_of_motion, force_balance
+   use ehlwave_march_result, only: march_result_t
+   use ehlwave_march_settings, only: march_settings_t
+   use ehlwave_state, only: state_t
+   use ehlwave_time_history, only: time_history_t
+   use ehlwave_transport, only: characteristic_transport
+   implicit none (type, external)
+   private
+
+   integer, parameter :: young = 3   !! steps in which the solutions before are not yet all solutions
+
+   !> All that the next step depends on, besides the level and its problem, temperatures, and the solver's account.
+   type, public :: march_past_t
+      type(march_settings_t) :: settings
+      type(march_result_t) :: result
+      type(past_t) :: past
+      ! that it started in, see `start_in`; absent: it started from rest
+      type(known_waves_t), allocatable, private :: waves
+      type(last_period_t), private :: period               ! with `waves`
+      real(dp), private :: start = 0           ! T before the first step
+      real(dp), allocatable :: share(:, :)     !! see carried_share
+      type(time_history_t) :: history
+      real(dp), allocatable, private :: supply(:)   ! oil offered to the steady state, of a starved contact
+      type(given_t) :: given                   !! what the last solution was given
+   contains
+      procedure :: begin_past
+      procedure :: start_in
+      procedure :: restore
+      procedure :: next_time
+      procedure :: pose
+      procedure :: guess
+      procedure :: keep
+   end type march_past_t
+
+contains
+
+   !> Make ready to march a level from its steady state of smooth surfaces.
+   subroutine begin_past(self, level, settings)
+      class(march_past_t), intent(inout) :: self
+      type(level_t), intent(inout) :: level
+      type(march_settings_t), intent(in) :: settings
+
+      if (checks) then
+         call assert(allocated(level%state%h), 'march%begin: a level at its steady state')
+         call assert(settings%steps > 0, 'march%begin: steps to take')
+      end if
+      self%settings = settings
+      call self%result%begin(settings%steps)
+      self%start = 0
+      if (allocated(self%waves)) deallocate (self%waves)
+      associate (problem => level%problem, grid => level%problem%grid, given => level%given, state => level%state)
+         given%transport = characteristic_transport(grid, settings%cells_per_step, settings%steps_per_cell)
+         given%load = force_balance(1.0_dp)
+         if (settings%natural_frequency > 0) &
+            given%load = equation_of_motion(1.0_dp, settings%natural_frequency, self%settings%time_step(grid))
+         if (allocated(self%supply)) deallocate (self%supply)
+         if (allocated(given%supply)) allocate (self%supply(0:grid%ny), source=given%supply)
+         call self%history%begin(problem, given, state)
+         call self%history%carry(grid, given)
+         self%given = given   ! what the steady state would be given as a time step
+         given%load%force = settings%force
+         self%past = past_t(state, state, state, state)
+         self%share = carried_share(level)
+         call self%result%note(0, self%start, grid%value_at_centre(state%h), state%delta)
+      end associate
+   end subroutine begin_past
+
+   !> After `begin`: start in waves at T = t, their pattern everywhere, in place of the smooth contact at 0.
+   subroutine start_in(self, level, waves, t)
+      class(march_past_t), intent(inout) :: self
+      type(level_t), intent(inout) :: level           !! that of `begin`
+      type(known_waves_t), intent(in) :: waves        !! found there
+      real(dp), intent(in) :: t
+      type(state_t) :: states(0:max(3, size(self%history%f, 3)))
+      integer :: n
+
+      self%start = t
+      self%waves = waves
+      associate (grid => level%problem%grid)
+         call self%period%begin(self%settings%repeat_time(grid), self%settings%time_step(grid), grid%nx, grid%ny)
+      end associate
+      associate (problem => level%problem)
+         do n = 0, ubound(states, 1)
+            states(n) = waves%state_at(t - n*self%settings%time_step(problem%grid))
+         end do
+         call self%history%take(problem, states(1:))
+         call self%pose(problem%grid, t, level%given)
+         self%given = level%given
+         level%state = states(0)
+         call note(self, level, 0, t)
+         self%past = past_t(self%past%steady, states(0), states(1), states(2))
+      end associate
+   end subroutine start_in
+
+   !> Give `level` the state of a march taken up again, after `begin` with the same steady state and settings.
+   subroutine restore(self, level)
+      class(march_past_t), intent(in) :: self
+      type(level_t), intent(inout) :: level
+      level%state = self%past%before
+   end subroutine restore
+
+   !> Give what the step to time t is given.
+   subroutine pose(self, grid, t, given)
+      class(march_past_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: t
+      type(given_t), intent(inout) :: given
+      call given%set_rough(rough_at(self, grid, t))
+      if (allocated(self%supply)) given%supply(:) = self%supply*self%settings%oil_share(t)
+      call self%history%carry(grid, given)
+   end subroutine pose
+
+   !> The time of the next step.
+   pure real(dp) function next_time(self, dt)
+      class(march_past_t), intent(in) :: self
+      real(dp), intent(in) :: dt
+      next_time = self%start + (self%result%steps + 1)*dt
+   end function next_time
+
+   !> A first guess of the solution at time t, one step after the last.
+   subroutine guess(self, t, dt, state)
+      class(march_past_t), intent(inout) :: self
+      real(dp), intent(in) :: t, dt
+      type(state_t), intent(inout) :: state
+      if (allocated(self%waves) .and. self%result%steps < young) then
+         call carry_on(self%past, self%waves, t, dt, state)
+      else if (self%settings%steps_per_cell == 1) then
+         if (self%period%is_known()) call look_up(self%period, t, dt, self%past)
+         call extrapolate(self%settings%cells_per_step, self%share, self%past, state)
+      end if
+   end subroutine guess
+
+   !> Note the solution at time t, and keep what the next steps need of it.
+   subroutine keep(self, level, t)
+      class(march_past_t), intent(inout) :: self
+      type(level_t), intent(in) :: level
+      real(dp), intent(in) :: t
+      type(state_t) :: storage
+
+      self%result%steps = self%result%steps + 1
+      call note(self, level, self%result%steps, t)
+      associate (past => self%past)
+         call past%earliest%move_to(storage)
+         call past%earlier%move_to(past%earliest)
+         call past%before%move_to(past%earlier)
+         call storage%move_to(past%before)
+         past%before = level%state
+      end associate
+      self%given = level%given
+      if (allocated(self%waves)) call self%period%keep(t, level%state)
+   end subroutine keep
+
+   !> Write the solution at time t into the account as step k, and as the latest into what the differences in time use.
+   subroutine note(self, level, k, t)
+      class(march_past_t), intent(inout) :: self
+      type(level_t), intent(in) :: level
+      integer, intent(in) :: k
+      real(dp), intent(in) :: t
+      call self%result%note(k, t, level%problem%grid%value_at_centre(level%state%h), level%state%delta)
+      call self%history%remember(level%problem, level%given, level%state)
+   end subroutine note
+
+   !> Roughness at time t: everywhere when the march started in waves, else behind the front.
+   pure function rough_at(self, grid, t) result(rough)
+      class(march_past_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: t
+      real(dp), allocatable :: rough(:, :)
+      if (allocated(self%waves)) then
+         rough = self%settings%surfaces%rough_of_waves(grid%x, grid%y, t, self%settings%film)
+      else
+         rough = self%settings%surfaces%rough_at(grid%x, grid%y, t, self%settings%film)
+      end if
+   end function rough_at
+
+end module ehlwave_march_past
