@@ -5,7 +5,7 @@ module ehlwave_shared_steady
    use ehlwave_energy, only: energy_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
-   use ehlwave_harmonic_response, only: harmonic_solver_t
+   use ehlwave_harmonic_solver, only: harmonic_solver_t
    use ehlwave_heat_data, only: new_heat_scales
    use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp

@@ -2,7 +2,8 @@
 !> the march on a coarser grid found.
 module ehlwave_known_waves
    use ehlwave_grid, only: grid_t
-   use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
+   use ehlwave_harmonic_response, only: harmonic_response_t
+   use ehlwave_harmonic_solver, only: harmonic_solver_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_lagrange, only: lagrange_weights

@@ -19,7 +19,8 @@
 !> flooded edges the steady pressures and the load outside are differentiated, what waves change there is not.
 module ehlwave_oil_sensitivity
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
+   use ehlwave_harmonic_response, only: harmonic_response_t
+   use ehlwave_harmonic_solver, only: harmonic_solver_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_reynolds, only: reynolds_change

@@ -9,7 +9,8 @@
 module ehlwave_second_harmonic
    use ehlwave_equations, only: equations_t
    use ehlwave_given, only: given_t
-   use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
+   use ehlwave_harmonic_response, only: harmonic_response_t
+   use ehlwave_harmonic_solver, only: harmonic_solver_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_load_balance, only: harmonic_inertia

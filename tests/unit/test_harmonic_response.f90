@@ -6,7 +6,8 @@ program test_harmonic_response
    use ehlwave_grid, only: grid_t
    use ehlwave_given, only: given_t
    use ehlwave_full_multigrid, only: full_multigrid_t
-   use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
+   use ehlwave_harmonic_response, only: harmonic_response_t
+   use ehlwave_harmonic_solver, only: harmonic_solver_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: equation_of_motion, harmonic_inertia, load_balance_t
    use ehlwave_solve_report, only: solve_limits_t
