@@ -1,9 +1,10 @@
 !> Elastic deformation of a line contact by FFT convolution with the exact cell kernel.
 module ehlwave_deformation_line
-   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_f_pointer, c_int, &
+   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_int, &
       c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
    use ehlwave_deformation, only: deformation_t
    use ehlwave_fftw_answer, only: obtained
+   use ehlwave_fftw_memory, only: allot
    use ehlwave_kernel_transform, only: fast_length
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_influence, line_wave_influence
@@ -42,6 +43,8 @@ contains
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa   !! 0
       real(dp), intent(in) :: k       !! not used by the kernel of a line
+      real(c_double), pointer, contiguous :: rows(:, :)
+      complex(c_double_complex), pointer, contiguous :: modes(:, :)
       integer(c_size_t) :: length
       integer :: i, n
 
@@ -52,10 +55,10 @@ contains
       self%known_along = 0
       n = fast_length(2*grid%nx)
       length = n
-      self%real_memory = obtained(fftw_alloc_real(length), length)
-      self%mode_memory = obtained(fftw_alloc_complex(length/2 + 1), length/2 + 1)
-      call c_f_pointer(self%real_memory, self%row, [n])
-      call c_f_pointer(self%mode_memory, self%modes, [n/2 + 1])
+      call allot(n, 1, self%real_memory, rows)
+      call allot(n/2 + 1, 1, self%mode_memory, modes)
+      self%row(1:n) => rows
+      self%modes(1:n/2 + 1) => modes
       self%forward = obtained(fftw_plan_dft_r2c_1d(n, self%row, self%modes, FFTW_ESTIMATE), length)
       self%backward = obtained(fftw_plan_dft_c2r_1d(n, self%modes, self%row, FFTW_ESTIMATE), length)
       self%row = cell_influence([(min(i, n - i)*grid%hx, i=0, n - 1)], 0.0_dp, grid%hx, grid%hy, kappa, k)

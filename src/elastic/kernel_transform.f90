@@ -1,8 +1,9 @@
 !> Fourier transform of the deformation kernel of a grid.
 module ehlwave_kernel_transform
-   use, intrinsic :: iso_c_binding, only: c_double, c_double_complex, c_f_pointer, c_int, &
+   use, intrinsic :: iso_c_binding, only: c_double, c_double_complex, c_int, &
       c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_ptr, c_size_t
    use ehlwave_fftw_answer, only: obtained
+   use ehlwave_fftw_memory, only: allot
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: corner
    use ehlwave_kinds, only: dp, pi
@@ -125,18 +126,11 @@ contains
    subroutine begin(self, n, values)
       type(transforms_t), intent(out) :: self
       integer, intent(in) :: n, values
-      integer(c_size_t) :: count
-      real(c_double), pointer, contiguous :: v(:, :)
-      complex(c_double_complex), pointer, contiguous :: m(:, :)
 
       self%threads = merge(thread_count(), 1, is_shared(values))
-      count = (n/2 + 1_c_size_t)*self%threads
-      self%memory = [obtained(fftw_alloc_real(2*count), 2*count), obtained(fftw_alloc_complex(count), count)]
-      call c_f_pointer(self%memory(1), v, [n, self%threads])
-      call c_f_pointer(self%memory(2), m, [n/2 + 1, self%threads])
-      self%values(0:, 0:) => v
-      self%modes(0:, 0:) => m
-      self%plan = obtained(fftw_plan_dft_r2c_1d(n, v, m, FFTW_ESTIMATE), count)
+      call allot(n, self%threads, self%memory(1), self%values)
+      call allot(n/2 + 1, self%threads, self%memory(2), self%modes)
+      self%plan = obtained(fftw_plan_dft_r2c_1d(n, self%values, self%modes, FFTW_ESTIMATE), int(n, c_size_t))
    end subroutine begin
 
    subroutine finish(self)
