@@ -32,7 +32,7 @@ contains
       type(solve_limits_t), intent(in) :: limits
       class(level_solver_t), intent(inout), optional :: solver   !! in place of that of the hierarchy
       type(solve_report_t) :: report
-      real(dp) :: highest, thinnest, work_before
+      real(dp) :: work_before
       integer :: n
 
       n = size(multigrid%levels)
@@ -48,11 +48,7 @@ contains
       end if
       self%work_left = self%work_left - (multigrid%work() - work_before)
       associate (level => multigrid%levels(n))
-         call close_attempt(self, level%state, report, level%report, thinnest, highest)
-         if (report%status == status_converged) then
-            self%thinnest = min(self%thinnest, thinnest)
-            self%highest = max(self%highest, highest)
-         end if
+         call close_attempt(self, level%state, report, level%report, follows=.true.)
          level%report = report
       end associate
    end subroutine attempt
@@ -64,7 +60,7 @@ contains
       type(solve_limits_t), intent(in) :: limits       !! for the finest level
       real(dp), intent(in) :: coarse_tolerance         !! for the others
       type(solve_report_t) :: spent
-      real(dp) :: highest, thinnest, work_before
+      real(dp) :: work_before
 
       work_before = multigrid%work()
       associate (level => multigrid%levels(size(multigrid%levels)))
@@ -75,28 +71,30 @@ contains
          spent = level%report
          call multigrid%solve(bounded(self, limits), coarse_tolerance)
          self%work_left = self%work_left - (multigrid%work() - work_before)
-         call close_attempt(self, level%state, level%report, spent, thinnest, highest)
+         call close_attempt(self, level%state, level%report, spent, follows=.false.)
       end associate
    end subroutine attempt_from_coarsest
 
    !> Take the steps of an attempt from the cap, and add those of earlier ones to its report. No solver may pass off a
    !> state as converged that is not finite or has no film.
-   subroutine close_attempt(self, state, report, spent, thinnest, highest)
+   subroutine close_attempt(self, state, report, spent, follows)
       class(capped_solver_t), intent(inout) :: self
       type(state_t), intent(in) :: state
       type(solve_report_t), intent(inout) :: report   !! of this attempt
       type(solve_report_t), intent(in) :: spent       !! before it
-      real(dp), intent(out) :: thinnest, highest      !! smallest H and largest P where it has converged
+      logical, intent(in) :: follows                  !! whether `thinnest` and `highest` count its state
+      real(dp) :: highest, thinnest
       logical :: is_finite
 
-      thinnest = huge(thinnest)
-      highest = 0
       if (report%status == status_converged) then
          call state%survey(is_finite, thinnest, highest)
          if (.not. is_finite) then
             report%status = status_not_finite
          else if (thinnest <= 0) then
             report%status = status_diverged
+         else if (follows) then
+            self%thinnest = min(self%thinnest, thinnest)
+            self%highest = max(self%highest, highest)
          end if
       end if
       self%steps_left = self%steps_left - report%nonlinear_steps
