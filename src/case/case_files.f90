@@ -7,7 +7,7 @@ module ehlwave_case_files
    use ehlwave_key_list, only: key_list_t
    implicit none (type, external)
    private
-   public :: case_files, changed_file, file_digests, note_digest, paths_read
+   public :: case_files, file_changed_since, file_digests, note_digest, paths_read
 
    type, public :: case_file_t
       character(len=key_length) :: name = ''                !! in results: NAME_file, NAME_digest
@@ -66,14 +66,14 @@ contains
    end function file_digests
 
    !> Number of the first file that holds other numbers than when these `file_digests` were taken, 0: none does.
-   pure integer function changed_file(files, digests) result(i)
+   pure integer function file_changed_since(files, digests) result(i)
       type(case_file_t), intent(in) :: files(:)
       character(len=*), intent(in) :: digests
       do i = 1, size(files)
          if (digests((i - 1)*identity_length + 1:i*identity_length) /= files(i)%digest) return
       end do
       i = 0
-   end function changed_file
+   end function file_changed_since
 
    !> Note the digest of what a file holds.
    subroutine note_digest(files, path, digest)

@@ -1,7 +1,7 @@
 !> A finer plan of a case whose error turned out larger than was asked for.
 module ehlwave_plan_refinement
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_files, only: changed_file, file_digests
+   use ehlwave_case_files, only: file_changed_since, file_digests
    use ehlwave_case_plan, only: make_plan
    use ehlwave_domain_choice, only: may_enlarge
    use ehlwave_error_parts, only: error_parts_t
@@ -61,7 +61,7 @@ contains
          if (factor < smallest_factor .or. (copy%cells_x <= plan%cells_x .and. copy%cells_y <= plan%cells_y)) return
          call make_plan(copy, finer, error, scale)
          if (allocated(error)) return
-         if (changed_file(finer%files, file_digests(plan%files)) > 0) return   ! since the case began
+         if (file_changed_since(finer%files, file_digests(plan%files)) > 0) return   ! since the case began
          if (finer%expected_work()*max(1.0_dp, work_taken/plan%expected_work()) <= work_left) exit
          factor = step_back*factor
       end do

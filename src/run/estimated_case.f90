@@ -3,7 +3,7 @@ module ehlwave_estimated_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_accuracy_model, only: expected_step_error, spike_factor
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_files, only: changed_file, file_digests
+   use ehlwave_case_files, only: file_changed_since, file_digests
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
@@ -143,7 +143,7 @@ contains
          if (.not. plan%conditions%is_line()) coarse_case%cells_y = cells(2)/factor
          call make_plan(coarse_case, coarse_plan, error, plan%domain_scale)
          if (allocated(error)) return
-         if (changed_file(coarse_plan%files, file_digests(plan%files)) > 0) return   ! since the case began
+         if (file_changed_since(coarse_plan%files, file_digests(plan%files)) > 0) return   ! since the case began
          if (.not. can_tell(coarse_plan)) return
          coarse_plan%largest_work = min(coarse_plan%largest_work, plan%largest_work - result%all_work)
          if (coarse_plan%largest_work <= 0) return

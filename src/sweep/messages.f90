@@ -7,7 +7,7 @@
 module ehlwave_messages
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: case_from_text
-   use ehlwave_case_files, only: case_file_t, changed_file, file_digests
+   use ehlwave_case_files, only: case_file_t, file_changed_since, file_digests
    use ehlwave_case_plan, only: make_plan
    use ehlwave_outcome, only: outcome_t
    use ehlwave_case_text, only: effective_input
@@ -167,7 +167,7 @@ contains
       if (.not. allocated(error)) call make_plan(case, plan, error)
       case%fields = text(number_digits + 1:number_digits + 1) == 'T'
       if (allocated(error)) return
-      changed = changed_file(plan%files, text(input_end + 1:))
+      changed = file_changed_since(plan%files, text(input_end + 1:))
       if (changed > 0) then
          call raise(error, plan%files(changed)%key//" = '"//plan%files(changed)%path// &
             "' was changed while the sweep was at work (--retry files runs cases once more that were stored with "// &

@@ -47,7 +47,7 @@ contains
          seconds(i) = contents%cases(place)%seconds
          to_run(i) = status(i) == status_pending .or. (retry == 'failed' .and. .not. is_success(status(i))) .or. &
                      (retry == 'version' .and. .not. contents%logs(contents%cases(place)%log)%is_by_this_build) .or. &
-                     (retry == 'files' .and. changed_file(sweep%plans(i), contents, place) > 0)
+                     (retry == 'files' .and. file_unlike_stored(sweep%plans(i), contents, place) > 0)
          if (sweep%cases(i)%fields .and. .not. to_run(i)) then
             has_fields = is_own_result(store%fields_path(sweep%identity(i)))   ! and whole
             to_run(i) = is_success(status(i)) .and. .not. has_fields
@@ -57,7 +57,7 @@ contains
 
    !> Number of the first file of a case that holds other numbers than when its result was stored, 0: none does. An
    !> identity holds the path alone.
-   integer function changed_file(plan, contents, place) result(f)
+   integer function file_unlike_stored(plan, contents, place) result(f)
       type(case_plan_t), intent(in) :: plan
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: place                   !! of the case in the contents
@@ -68,7 +68,7 @@ contains
          if (stored /= '' .and. stored /= plan%files(f)%digest) return
       end do
       f = 0
-   end function changed_file
+   end function file_unlike_stored
 
    !> Refuse to go on where a stored result is that of another content of a file that the case reads.
    subroutine refuse_changed_files(sweep, contents, to_run, error)
@@ -81,7 +81,7 @@ contains
       others = 0
       do i = size(sweep%cases), 1, -1
          if (to_run(i)) cycle
-         f = changed_file(sweep%plans(i), contents, contents%index%find(sweep%identity(i)))
+         f = file_unlike_stored(sweep%plans(i), contents, contents%index%find(sweep%identity(i)))
          if (f == 0) cycle
          changed = f
          first = i

@@ -1,7 +1,7 @@
 !> The files that a case reads: tables of numbers, the list of files, their digests.
 program test_case_files
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_files, only: case_file_t, case_files, changed_file, file_digests, note_digest, paths_read
+   use ehlwave_case_files, only: case_file_t, case_files, file_changed_since, file_digests, note_digest, paths_read
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_number_file, only: read_number_table
@@ -83,11 +83,11 @@ contains
       call note_digest(files, 's.h5', '0123456789abcdef')
       call test%check_equal(count(files%digest == '0123456789abcdef'), 1, 'the digest of one file')
       call test%check_equal(files(surface)%digest, '0123456789abcdef', 'noted where it belongs')
-      call test%check_equal(changed_file(files, file_digests(files)), 0, 'no file has changed')
+      call test%check_equal(file_changed_since(files, file_digests(files)), 0, 'no file has changed')
       before = file_digests(files)
       do i = 1, size(files)
          files(i)%digest(16:16) = 'x'
-         call test%check_equal(changed_file(files, before), i, 'a file that has changed')
+         call test%check_equal(file_changed_since(files, before), i, 'a file that has changed')
          call test%check(file_digests(files) /= before, 'as the digests of all show')
          files(i)%digest = before(16*(i - 1) + 1:16*i)
       end do
