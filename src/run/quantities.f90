@@ -10,7 +10,7 @@ module ehlwave_quantities
    use ehlwave_error_account, only: validity_text
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_heat_result, only: heat_result_t
-   use ehlwave_input_quantities, only: add_case, add_formulas
+   use ehlwave_input_quantities, only: add_case, add_formulas, add_lengths
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
@@ -103,10 +103,7 @@ contains
                        unit='um', exists=c%has_dimensions)
          call list%add('minimum_film_um', 'smallest film thickness h of the smooth contact', &
                        result%minimum_film*c%c_m*um_per_m, unit='um', exists=c%has_dimensions)
-         call list%add('length_a_m', 'Hertz semi-axis in x', c%a_m, unit='m', exists=c%has_dimensions)
-         call list%add('length_b_m', 'Hertz semi-axis in y', c%b_m, unit='m', &
-                       exists=c%has_dimensions .and. .not. c%is_line())
-         call list%add('length_c_m', 'Hertz approach', c%c_m, unit='m', exists=c%has_dimensions)
+         call add_lengths(list, c, ['length_a_m', 'length_b_m', 'length_c_m'])
          call list%add('hertz_pressure_pa', 'largest Hertz pressure', c%hertz_pressure_pa, unit='Pa', &
             exists=c%has_dimensions)
       end associate
