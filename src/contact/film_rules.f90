@@ -1,8 +1,8 @@
 !> Rules of Gauss for integrals across the film of an oil: how many points each place needs, and the places by rule.
 !>
 !> The need grows with the change of the stress across the film, which the flow law judges, with the range of the
-!> fluidity of a warm oil, and near a limit of the stress. The numbers were measured: the flow is exact to 1e-6 where
-!> the oil is warm or limited, to 1e-12 elsewhere.
+!> fluidity of a warm oil, and near a limit of the stress. Measured, the flow is exact to 1e-6 where the oil is warm;
+!> the flow law keeps the error of integrals below 1e-12 of them.
 module ehlwave_film_rules
    use ehlwave_film_levels, only: level_weights_t, new_level_weights
    use ehlwave_flow_law, only: flow_law_t
