@@ -290,6 +290,26 @@ def heat(options: argparse.Namespace) -> int:
 
 
 @study(
+    "thinning",
+    output("thinning"),
+    option("--contacts", "N", "how many are drawn (default 64)", 64),
+    option("--cells", "N", "along each side; lines have 8 times (default 128)", 128),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def thinning(options: argparse.Namespace) -> int:
+    """Compare films of oils that thin in the inlet with the bound of their loss.
+
+    Draws smooth contacts and lines that roll or slide in Ree-Eyring and Carreau oils, of a stress
+    that makes the bound of ehlwave.contact.thinning 1 to 15 %. Each is computed with its oil and
+    with a Newtonian one, one after another on one core. Writes thinning.csv.
+
+    Exit status: 0 no contact that is answered by the bound loses more; 1 otherwise; 2 bad usage.
+    """
+    steps.prepare(options.program)
+    return steps.report("thinning", *given(options, "output", "contacts", "cells"))
+
+
+@study(
     "heat-map",
     output("heat-map"),
     option("--contacts", "N", "how many are drawn (default 40)", 40),
