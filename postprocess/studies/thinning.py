@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 from ehlwave.contact import conditions_from_keys
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.thinning import LEAST_EXPONENT, MOST_LOSS, loss_bound
-from studies.command import maps
+from studies.command import laws
 from studies.command.options import step_parser
 from studies.programs import Groups, last_line, run_case
 from studies.sweeps import run_command, write_rows
@@ -137,7 +137,7 @@ def study(number: int, cells: int, run: Run = solved) -> Row:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the contacts, print and write the table; return 1 if one loses more than the bound."""
-    return run_command(step_parser(maps.thinning, __doc__), _run, arguments)
+    return run_command(step_parser(laws.thinning, __doc__), _run, arguments)
 
 
 def _run(options: argparse.Namespace) -> int:
