@@ -280,6 +280,7 @@ WRONG = [
     ),
     value(race, "osculation", 0.4, "0.52"),
     value(race, "pitch_diameter_m", 0.006, "0.04"),
+    value(race, "element_diameter_m", 7.94, "0.00794"),
     Wrong(
         sheet,
         {"temperature_k": REMOVED},
