@@ -19,7 +19,7 @@ from ehlwave.contact.two_bodies import contact_keys
 from ehlwave.deform.atlas_transfer import with_atlas_film, with_heated_film
 from ehlwave.errors import RangeError
 from ehlwave.film_answer import film_of
-from ehlwave.heat_laws import check_heat
+from ehlwave.heated_contact import check_heat
 from ehlwave.quantities import number
 from ehlwave.shown import html_table, within
 
