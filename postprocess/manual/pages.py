@@ -169,11 +169,13 @@ def python() -> dict[str, str]:
 
 
 def _members(item: type) -> list[str]:
-    """Return the methods and properties of a class that are for users."""
+    """Return the methods and properties of a class that are for users, inherited ones first."""
     kinds = (property, classmethod, staticmethod)
+    bases = [base for base in reversed(item.__mro__) if base.__module__.startswith("ehlwave.")]
     return [
         name
-        for name, value in vars(item).items()
+        for base in bases
+        for name, value in vars(base).items()
         if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, kinds))
     ]
 

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass, fields
 
 from ehlwave.errors import ResultsError
 from studies import heavy_draw, heavy_refinement, heavy_schemes
-from studies.command import maps
+from studies.command import costs
 from studies.command.options import step_parser
 from studies.programs import Groups, solve
 from studies.sweeps import run_command, write_rows
@@ -89,7 +89,7 @@ def measure(
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Measure, print and write the table; return 0, or 1 with a message."""
-    return run_command(step_parser(maps.heavy, __doc__), _run, arguments)
+    return run_command(step_parser(costs.heavy, __doc__), _run, arguments)
 
 
 def _run(options: argparse.Namespace) -> int | None:

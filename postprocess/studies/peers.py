@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from ehlwave.figures import write_figure
 from studies import peer_runs
-from studies.command import maps
+from studies.command import costs
 from studies.command.options import step_parser
 from studies.peer_runs import BOOK, FailedError, Found, mourier
 from studies.sweeps import run_command, write_rows
@@ -142,7 +142,7 @@ def _run(options: argparse.Namespace) -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Measure, print, write table and figure; return 0, or 1 with a message."""
-    return run_command(step_parser(maps.peers, __doc__), _run, arguments)
+    return run_command(step_parser(costs.peers, __doc__), _run, arguments)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 
 from ehlwave.errors import ResultsError
-from studies.command import maps
+from studies.command import costs
 from studies.command.options import step_parser
 from studies.programs import Groups, solve
 from studies.sweeps import run_command, write_rows
@@ -135,7 +135,7 @@ def growth(method: str, coarse: Answer, fine: Answer, *errors: float) -> Row:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Measure, print and write the table; return 0, or 1 with a message."""
-    parser = step_parser(maps.speed, __doc__)
+    parser = step_parser(costs.speed, __doc__)
     return run_command(parser, _run, arguments)
 
 

@@ -13,7 +13,7 @@ from statistics import fmean
 
 import numpy as np
 
-from studies.command import maps
+from studies.command import costs
 from studies.command.options import step_parser
 from studies.programs import Groups
 from studies.speed import WAVES, Answer, case_groups, number, solved
@@ -113,7 +113,7 @@ def _side_by_side(run: Run, groups: Groups, runs: int) -> float:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Measure, print and write the table; return 0, or 1 with a message."""
-    return run_command(step_parser(maps.threads, __doc__), _run, arguments)
+    return run_command(step_parser(costs.threads, __doc__), _run, arguments)
 
 
 def _run(options: argparse.Namespace) -> None:

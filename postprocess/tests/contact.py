@@ -16,11 +16,13 @@ BALL = {
     "radius_x_m": 0.0127,
     "radius_y_m": 0.0127,
     "reduced_modulus_pa": 2.26e11,
-    "load_n": 120,
+    "load_n": 40,
     "mean_speed_m_per_s": 4,
     "viscosity_pa_s": 0.05,
 }
-"""A steel ball on a disc under 120 N."""
+"""A steel ball on a steel disc."""
+
+LOADED_BALL = BALL | {"load_n": 120}
 
 
 def experiment(**changes: float) -> Conditions:

@@ -6,21 +6,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from contact import BALL
 
 import ehlwave
 from ehlwave.cli import main
 from ehlwave.deform.answer import REGIMES, answer_of, regimes_of
 
 Capture = pytest.CaptureFixture[str]
-
-CONTACT = {
-    "radius_x_m": 0.0127,
-    "radius_y_m": 0.0127,
-    "reduced_modulus_pa": 2.26e11,
-    "load_n": 40,
-    "mean_speed_m_per_s": 4,
-    "viscosity_pa_s": 0.05,
-}
 
 
 def trace_file(folder: Path, amplitude_um: float, name: str = "t.csv") -> str:
@@ -31,7 +23,7 @@ def trace_file(folder: Path, amplitude_um: float, name: str = "t.csv") -> str:
 
 
 def words(**more: float) -> list[str]:
-    keys = [f"{key}={value}" for key, value in (CONTACT | more).items()]
+    keys = [f"{key}={value}" for key, value in (BALL | more).items()]
     return ["--length-unit", "mm", "--height-unit", "um", "--conditions", *keys]
 
 
@@ -75,7 +67,7 @@ def test_the_first_line_is_the_answer_and_json_says_the_same(
     assert main([command, file, *words(), "--json"]) == 0
     answer = json.loads(capsys.readouterr().out)["answer"]
     assert first == f"Answer       {answer['text']}"
-    found = ehlwave.Contact(**CONTACT).deform(file, length_unit="mm", height_unit="um")
+    found = ehlwave.Contact(**BALL).deform(file, length_unit="mm", height_unit="um")
     s = found.statistics
     assert answer["lambda_ratio"] == s.lambda_ratio_after
     assert answer["lambda_error"] == s.lambda_error
@@ -122,5 +114,5 @@ def test_a_film_that_is_not_known_and_a_smooth_surface_are_said(tmp_path: Path) 
     trace = ehlwave.deform.trace_surface(np.zeros(400) + 1e-30, 2e-6)
     contact = ehlwave.Contact(**moes, semi_axis_a_m=2e-4)
     assert "lambda is not known" in answer_of(contact.deform(trace).statistics).text()
-    contact = ehlwave.Contact(**CONTACT)
+    contact = ehlwave.Contact(**BALL)
     assert "infinite" in answer_of(contact.deform(trace).statistics).text()

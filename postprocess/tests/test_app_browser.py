@@ -18,6 +18,7 @@ pytest.importorskip("panel", reason="the page needs Panel: pip install './postpr
 import chromium
 from app_server import running
 from chromium import Chromium, Tab, until
+from contact import BALL
 
 import ehlwave
 from ehlwave.cli import main
@@ -241,14 +242,7 @@ def test_sessions_at_once_answer_each_its_own(
     address: str, in_browser: Browse, tmp_path: Path
 ) -> None:
     loads = [40 + 2 * number for number in range(SESSIONS)]
-    keys = {
-        "radius_x_m": 0.0127,
-        "radius_y_m": 0.0127,
-        "reduced_modulus_pa": 2.26e11,
-        "mean_speed_m_per_s": 4,
-        "viscosity_pa_s": 0.05,
-    }
-    films = [ehlwave.Contact(load_n=load, **keys).film() for load in loads]
+    films = [ehlwave.Contact(**BALL | {"load_n": load}).film() for load in loads]
     expected = [f"Film {1e6 * (film.central_m or 0):.4g} um" for film in films]
     assert len(set(expected)) == len(expected)
 

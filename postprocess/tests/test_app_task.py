@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from app_traces import examples
+from contact import BALL
 
 import ehlwave
 from ehlwave.app import quantities
@@ -20,15 +21,6 @@ from ehlwave.app.uploads import LARGEST_BYTES, Upload, file_name, read_upload
 from ehlwave.app.work import SMALL_BYTES, Pools
 from ehlwave.deform.read import ReadOptions
 from ehlwave.errors import SurfaceError
-
-KEYS = {
-    "radius_x_m": 0.0127,
-    "radius_y_m": 0.0127,
-    "reduced_modulus_pa": 2.26e11,
-    "load_n": 40.0,
-    "mean_speed_m_per_s": 4.0,
-    "viscosity_pa_s": 0.05,
-}
 
 
 @pytest.mark.parametrize(
@@ -85,7 +77,7 @@ def test_bodies_and_oils_are_those_of_the_package() -> None:
 
 def test_the_saved_script_and_document_repeat_the_film() -> None:
     oil = {"name": "heavy machine oil 153", "temperature_k": 323.15}
-    keys = {key: value for key, value in KEYS.items() if key != "viscosity_pa_s"}
+    keys = {key: value for key, value in BALL.items() if key != "viscosity_pa_s"}
     answer = answered(Task(Given(keys, oil=oil, maker="named")))
     names: dict[str, object] = {}
     exec(script(answer), names)
@@ -100,7 +92,7 @@ def test_the_saved_script_and_document_repeat_the_film() -> None:
 
 def test_messages_are_those_of_the_command_line_and_name_a_field() -> None:
     with pytest.raises(SurfaceError, match="load_n = '4O' is not a number") as caught:
-        answered(Task(Given(KEYS | {"load_n": "4O"})))
+        answered(Task(Given(BALL | {"load_n": "4O"})))
     said = failure(str(caught.value), [quantities.MODULUS, quantities.LOAD])
     assert "Field: Load" in said
     assert "<script>" not in failure("<script>alert(1)</script>", [])
@@ -185,7 +177,7 @@ def test_large_surfaces_do_not_keep_small_ones_waiting() -> None:
 def test_sessions_in_threads_get_the_numbers_of_one_alone(tmp_path: Path) -> None:
     example = examples(tmp_path)[0]
     upload = Upload(example.path.name, example.path.read_bytes())
-    tasks = [Task(Given(KEYS | {"load_n": 40.0 + load}), upload) for load in range(5)]
+    tasks = [Task(Given(BALL | {"load_n": 40.0 + load}), upload) for load in range(5)]
     alone = [document(answered(task)) for task in tasks]
     pools = Pools(workers=4)
     try:

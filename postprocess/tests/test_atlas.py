@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
+from contact import EXPERIMENT
 
 import ehlwave
 from ehlwave.atlas.atlas import Atlas, load_atlas, shipped
@@ -24,15 +25,7 @@ from studies.atlas.store import variables_of, write_atlas
 from studies.atlas.train import Recipe, fitted, joined
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
-BALL = {
-    "radius_x_m": 12.52e-3,
-    "radius_y_m": 12.52e-3,
-    "reduced_modulus_pa": 1.17e11,
-    "load_n": 39.2,
-    "viscosity_pa_s": 1.22,
-    "pressure_viscosity_per_pa": 2.25e-8,
-    "roelands_index": 0.484,
-}
+BALL = EXPERIMENT | {"roelands_index": 0.484}
 LENGTHS = {"semi_axis_a_m": 0.2e-3, "radius_x_m": 12.5e-3}
 SLIDES = {"wavelength_over_a": 0.5, "slip_parameter": 1.2}
 
@@ -114,7 +107,7 @@ def test_a_response_is_that_of_the_program() -> None:
 
 
 def test_film_of_the_paper_experiment_is_that_computed() -> None:
-    film = ehlwave.Contact(**BALL, mean_speed_m_per_s=0.024).film()
+    film = ehlwave.Contact(**BALL).film()
     assert film.central_m == pytest.approx(0.237e-6, rel=0.01)
     assert film.minimum_m is not None
     assert film.minimum_m < film.central_m
@@ -192,7 +185,7 @@ def test_a_ball_bearing_is_answered() -> None:
 
 def test_waves_raise_the_mean_film_as_computed() -> None:
     # ehlwave-case, 128 x 128 cells: M = 134.4, L = 6.62, alpha = 2.25e-8, z = 0.484
-    contact = ehlwave.Contact(**BALL, mean_speed_m_per_s=0.024)
+    contact = ehlwave.Contact(**BALL)
     chart = contact.atlas().at(contact.conditions.atlas_keys())
     for wave, angle, computed in (
         (0.35, 0, 0.263),

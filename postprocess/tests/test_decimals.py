@@ -2,6 +2,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from contact import BALL
 
 from ehlwave.cli import main
 from ehlwave.deform import ReadOptions, read_surface
@@ -132,9 +133,8 @@ def test_equal_heights_have_no_roughness(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = write(tmp_path, "x_um,z_um", *(f"{k},2.5" for k in range(40)))
-    conditions = "radius_x_m=0.0127 radius_y_m=0.0127 reduced_modulus_pa=2.26e11 load_n=40 "
-    conditions += "mean_speed_m_per_s=1 viscosity_pa_s=0.05"
-    command = ["deform", str(path), "--conditions", *conditions.split()]
+    conditions = [f"{key}={value}" for key, value in BALL.items()]
+    command = ["deform", str(path), "--conditions", *conditions]
     pictures = ["--output", str(tmp_path / "out")]
     for options in (pictures, ["--formula", "paper"], ["--form", "mean"], ["--json"]):
         assert main([*command, *options]) == 0

@@ -29,10 +29,15 @@ def public_names() -> Iterator[tuple[str, object]]:
     for name in ehlwave.__all__:
         item = getattr(ehlwave, name)
         yield name, item
-        if inspect.isclass(item):
-            for member, value in vars(item).items():
+        bases = inspect.getmro(item) if inspect.isclass(item) else ()
+        for base in bases:
+            for member, value in vars(base).items() if _is_ours(base) else ():
                 if not member.startswith("_") and inspect.getdoc(value) and _is_documented(value):
                     yield f"{name}.{member}", value
+
+
+def _is_ours(base: type) -> bool:
+    return base.__module__.startswith("ehlwave.")
 
 
 def _is_documented(value: object) -> bool:

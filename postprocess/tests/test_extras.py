@@ -8,6 +8,7 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
+from contact import BALL
 from synthetic import make_columns, write_results
 
 import ehlwave
@@ -27,14 +28,7 @@ class Without:
 sys.meta_path.insert(0, Without())
 import ehlwave
 """
-CONTACT = (
-    "radius_x_m=0.0127",
-    "radius_y_m=0.0127",
-    "reduced_modulus_pa=2.26e11",
-    "load_n=40",
-    "mean_speed_m_per_s=4",
-    "viscosity_pa_s=0.05",
-)
+CONTACT = [f"{key}={value}" for key, value in BALL.items()]
 
 
 def without(text: str, *arguments: str) -> subprocess.CompletedProcess[str]:

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from contact import EXPERIMENT, experiment
+from contact import BALL, EXPERIMENT, experiment
 
 import ehlwave
 from ehlwave.atlas.atlas import load_atlas, shipped
@@ -46,8 +46,6 @@ def has_programs() -> bool:
 
 
 STEP = 0.5e-6
-BALL = {"radius_x_m": 12.7e-3, "radius_y_m": 12.7e-3, "reduced_modulus_pa": 226e9}
-BALL |= {"load_n": 40.0, "viscosity_pa_s": 0.05}
 
 
 def noise(rng: np.random.Generator, rq_m: float = 1e-7, length_m: float = 20e-6) -> Surface:
@@ -64,7 +62,7 @@ def noise(rng: np.random.Generator, rq_m: float = 1e-7, length_m: float = 20e-6)
 @pytest.mark.parametrize("load", [{}, {"radius_y_m": None, "load_n": None, "load_n_per_m": 2e5}])
 def test_an_offset_of_all_heights_changes_nothing(ends: str, load: dict[str, float | None]) -> None:
     keys = {key: value for key, value in (BALL | load).items() if value is not None}
-    contact = ehlwave.Contact(**keys, mean_speed_m_per_s=4)
+    contact = ehlwave.Contact(**keys)
     height = noise(np.random.default_rng(5)).height[:, 0]
     found = [
         contact.deform(height - height.mean() + offset, step=STEP, form="none", ends=ends)
@@ -78,6 +76,10 @@ def test_an_offset_of_all_heights_changes_nothing(ends: str, load: dict[str, flo
         assert [group.share_before for group in one.unjudged] == pytest.approx(shares)
 
 
+def at_speed(speed: float) -> dict[str, float]:
+    return BALL | {"mean_speed_m_per_s": speed}
+
+
 def deformed(surface: Surface, **keys: float) -> Deformed:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ehlwave.ExtrapolationWarning)
@@ -87,7 +89,7 @@ def deformed(surface: Surface, **keys: float) -> Deformed:
 def test_it_falls_with_the_film_of_a_ball() -> None:
     surface = noise(np.random.default_rng(1))
     speeds = (4, 1, 0.5, 0.3, 0.1, 0.05, 0.03)
-    found = [deformed(surface, **BALL, mean_speed_m_per_s=u).statistics for u in speeds]
+    found = [deformed(surface, **at_speed(u)).statistics for u in speeds]
     ratios = [one.lambda_ratio_after for one in found]
     assert ratios == sorted(ratios, reverse=True)
     assert ratios[-1] < 0.6
@@ -119,7 +121,7 @@ def test_it_falls_with_the_film_of_random_contacts(kind: str) -> None:
         keys, before = random_contact(kind, rng), np.inf
         for speed in np.geomspace(10, 0.01, 12):
             try:
-                found = deformed(surface, **keys, mean_speed_m_per_s=speed).statistics
+                found = deformed(surface, **keys | {"mean_speed_m_per_s": speed}).statistics
             except ehlwave.RangeError:  # outside the atlas
                 continue
             ratio, seen = found.lambda_ratio_after, seen + 1
@@ -130,7 +132,7 @@ def test_it_falls_with_the_film_of_random_contacts(kind: str) -> None:
 
 def test_where_it_is_extrapolated_python_warns_at_the_line_of_the_call() -> None:
     surface = noise(np.random.default_rng(1))
-    contact = ehlwave.Contact(**BALL, mean_speed_m_per_s=0.1)
+    contact = ehlwave.Contact(**at_speed(0.1))
     for call in (contact.lambda_ratio, contact.deform):
         with pytest.warns(ehlwave.ExtrapolationWarning) as told:
             call(surface)
@@ -140,11 +142,11 @@ def test_where_it_is_extrapolated_python_warns_at_the_line_of_the_call() -> None
         assert {one.filename for one in told} == {__file__}
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        ehlwave.Contact(**BALL, mean_speed_m_per_s=4).lambda_ratio(surface)
+        ehlwave.Contact(**BALL).lambda_ratio(surface)
 
 
 def test_report_and_json_say_so_with_an_error_that_includes_it(tmp_path: Path) -> None:
-    result = deformed(noise(np.random.default_rng(1)), **BALL, mean_speed_m_per_s=0.1)
+    result = deformed(noise(np.random.default_rng(1)), **at_speed(0.1))
     said = report_text(result)
     assert re.search(r"error of the latter above 100 %: film .* \(extrapolated\)", said)
     assert "surfaces touch: no smallest film" in said

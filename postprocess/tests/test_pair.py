@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from contact import BALL
 
 import ehlwave
 from ehlwave.cli import main
@@ -14,8 +15,6 @@ from ehlwave.deform.amplitude import VALIDATED_SLIDING
 from ehlwave.deform.surface import Heights
 from ehlwave.errors import ExtrapolationWarning, SurfaceError
 
-BODIES = {"radius_x_m": 0.0127, "radius_y_m": 0.0127, "reduced_modulus_pa": 2.26e11, "load_n": 40}
-CONTACT = {**BODIES, "mean_speed_m_per_s": 4, "viscosity_pa_s": 0.05}
 STEP = 2e-6
 
 
@@ -24,7 +23,7 @@ def waves(rq: float, length: float = 1e-4) -> Heights:
 
 
 def test_a_smooth_second_surface_changes_nothing() -> None:
-    contact = ehlwave.Contact(**CONTACT)
+    contact = ehlwave.Contact(**BALL)
     alone = contact.deform(waves(3e-8), step=STEP).statistics
     pair = contact.deform_pair(waves(3e-8), np.zeros(1000) + 1e-30, step=STEP).statistics
     for name in ("rq_after_m", "mean_film_m", "minimum_film_m", "lambda_ratio_after"):
@@ -33,8 +32,8 @@ def test_a_smooth_second_surface_changes_nothing() -> None:
 
 
 def test_mean_squares_add_and_each_surface_has_its_own_slip() -> None:
-    contact = ehlwave.Contact(**CONTACT, slip_parameter=1.2, eyring_stress_pa=5e6)
-    other = ehlwave.Contact(**CONTACT, slip_parameter=0.8, eyring_stress_pa=5e6)
+    contact = ehlwave.Contact(**BALL, slip_parameter=1.2, eyring_stress_pa=5e6)
+    other = ehlwave.Contact(**BALL, slip_parameter=0.8, eyring_stress_pa=5e6)
     pair = contact.deform_pair(waves(2e-8), waves(4e-8, 6e-5), step=STEP)
     parts = (
         contact.deform(waves(2e-8), step=STEP).statistics,
@@ -53,7 +52,7 @@ def test_mean_squares_add_and_each_surface_has_its_own_slip() -> None:
 
 
 def test_the_film_counts_once_in_the_error() -> None:
-    contact = ehlwave.Contact(**CONTACT)
+    contact = ehlwave.Contact(**BALL)
     alone = contact.deform(waves(3e-8), step=STEP).statistics
     pair = contact.deform_pair(waves(3e-8), waves(3e-8), step=STEP).statistics
     assert alone.lambda_errors is not None
@@ -65,7 +64,7 @@ def test_the_film_counts_once_in_the_error() -> None:
 
 
 def test_two_that_are_each_validated_can_be_extrapolated_together() -> None:
-    contact = ehlwave.Contact(**CONTACT, slip_parameter=1.05, eyring_stress_pa=5e6)
+    contact = ehlwave.Contact(**BALL, slip_parameter=1.05, eyring_stress_pa=5e6)
     film = contact.film().central_m
     assert film is not None
     rq = 0.8 * VALIDATED_SLIDING * film / math.sqrt(2)
@@ -84,7 +83,7 @@ def test_two_that_are_each_validated_can_be_extrapolated_together() -> None:
 
 
 def test_highest_points_of_both_touch() -> None:
-    contact = ehlwave.Contact(**CONTACT)
+    contact = ehlwave.Contact(**BALL)
     film = contact.film().central_m
     assert film is not None
     high = waves(0.6 * film)
@@ -107,13 +106,13 @@ def test_the_command_says_the_same(tmp_path: Path, capsys: pytest.CaptureFixture
     for name, rq in (("ball", 3e-8), ("disc", 5e-8)):
         files.append(str(tmp_path / f"{name}.csv"))
         np.savetxt(files[-1], waves(rq) * 1e9)
-    words = [f"{key}={value}" for key, value in CONTACT.items()]
+    words = [f"{key}={value}" for key, value in BALL.items()]
     reading = ["--step", "2", "--length-unit", "um", "--height-unit", "nm"]
     command = ["lambda", files[0], "--second", files[1], *reading, "--conditions", *words]
     assert main([*command, "--json"]) == 0
     document = json.loads(capsys.readouterr().out)
     reading_keys = {"length_unit": "um", "height_unit": "nm", "step": 2}
-    contact = ehlwave.Contact(**CONTACT)
+    contact = ehlwave.Contact(**BALL)
     s = contact.deform_pair(*files, **reading_keys).statistics
     assert document["both"]["lambda_ratio_after"] == s.lambda_ratio_after
     assert document["both"]["lambda_errors"] == s.lambda_errors

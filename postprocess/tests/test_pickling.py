@@ -9,6 +9,7 @@ from multiprocessing import get_context
 import numpy as np
 import pandas as pd
 import pytest
+from contact import BALL
 
 import ehlwave
 from ehlwave.contact import Oil
@@ -27,13 +28,11 @@ from ehlwave.deform import (
 from ehlwave.deform.surface import Surface
 from ehlwave.driver import Case, Study
 
-LENGTHS = {"radius_x_m": 0.0127, "radius_y_m": 0.0127, "reduced_modulus_pa": 2.26e11}
-SPEED = {"load_n": 40, "mean_speed_m_per_s": 4, "viscosity_pa_s": 0.05}
 LEAST = 25
 
 
 def contact(**more: float) -> ehlwave.Contact:
-    return ehlwave.Contact(**LENGTHS, **SPEED, **more)
+    return ehlwave.Contact(**BALL, **more)
 
 
 def used_contact(**more: float) -> ehlwave.Contact:

@@ -5,6 +5,7 @@ import sys
 
 import numpy as np
 import pytest
+from contact import BALL
 
 import ehlwave
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
@@ -15,15 +16,7 @@ from ehlwave.quantities import PLAUSIBLE, number, plain, unit_of
 pint = pytest.importorskip("pint")
 Q = pint.UnitRegistry(autoconvert_offset_to_baseunit=True).Quantity
 
-PLAIN = {
-    "radius_x_m": 0.0127,
-    "radius_y_m": 0.0127,
-    "reduced_modulus_pa": 2.26e11,
-    "load_n": 40.0,
-    "mean_speed_m_per_s": 0.5,
-    "viscosity_pa_s": 0.05,
-    "pressure_viscosity_per_pa": 2.2e-8,
-}
+PLAIN = BALL | {"mean_speed_m_per_s": 0.5, "pressure_viscosity_per_pa": 2.2e-8}
 WITH_UNITS = {
     "radius_x_m": Q(12.7, "mm"),
     "radius_y_m": Q(0.5, "inch"),

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
-from contact import BALL
+from contact import LOADED_BALL
 from scipy.integrate import quad, solve_ivp
 from scipy.special import iv, modstruve
 
@@ -33,7 +33,7 @@ from ehlwave.starvation import FILM_BAR, film_over_flooded, film_sharpness
 
 
 def starved(**more: float) -> Conditions:
-    return ehlwave.Contact(**({**BALL, "oil_over_flooded": 0.5} | more)).conditions
+    return ehlwave.Contact(**({**LOADED_BALL, "oil_over_flooded": 0.5} | more)).conditions
 
 
 def test_closed_form_is_the_repeated_law() -> None:
@@ -173,7 +173,7 @@ def test_what_is_refused(more: dict[str, float], given: dict[str, Any], said: st
 
 def test_conditions_that_are_refused() -> None:
     with pytest.raises(SurfaceError, match="oil_over_flooded is missing"):
-        replenish(ehlwave.Contact(**BALL).conditions, 0.3, 100)
+        replenish(ehlwave.Contact(**LOADED_BALL).conditions, 0.3, 100)
     moes = {"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 1}
     lengths = {"semi_axis_a_m": 1e-4, "radius_x_m": 0.01, "oil_over_flooded": 0.5}
     with pytest.raises(SurfaceError, match="dimensional"):
@@ -181,11 +181,11 @@ def test_conditions_that_are_refused() -> None:
 
 
 def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    keys = [f"{key}={value}" for key, value in BALL.items()]
+    keys = [f"{key}={value}" for key, value in LOADED_BALL.items()]
     words = ["replenish", "--conditions", *keys, "oil_over_flooded=0.5", "--track-length", "0.3"]
     assert main([*words, "--overrollings", "1e4", "--json", "--output", str(tmp_path)]) == 0
     said = json.loads(capsys.readouterr().out)
-    contact = ehlwave.Contact(**BALL, oil_over_flooded=0.5)
+    contact = ehlwave.Contact(**LOADED_BALL, oil_over_flooded=0.5)
     table = pd.read_csv(tmp_path / "replenish.csv")
     assert table["film_m"].iloc[0] == pytest.approx(contact.film().central_m, rel=1e-3)
     assert said["rows"][-1]["film_m"] == pytest.approx(table["film_m"].iloc[-1])

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
+from contact import LOADED_BALL
 
 import ehlwave
 from ehlwave.errors import RangeError
@@ -138,13 +139,11 @@ def test_losses_of_an_overrolling() -> None:
 
 
 def test_side_loss_is_that_of_a_track() -> None:
-    ball = {"radius_x_m": 0.0127, "radius_y_m": 0.0127, "reduced_modulus_pa": 2.26e11}
-    ball |= {"load_n": 120, "mean_speed_m_per_s": 4, "viscosity_pa_s": 0.05}
-    conditions = ehlwave.Contact(**ball, oil_over_flooded=0.3).conditions
+    conditions = ehlwave.Contact(**LOADED_BALL, oil_over_flooded=0.3).conditions
     track = Track(conditions, 0.3)
     c = conditions
     alphabar = c.oil.pressure_viscosity_per_pa * c.hertz_pa
-    scale = c.semi_axis_a_m**2 / ball["radius_x_m"]  # D = 1
+    scale = c.semi_axis_a_m**2 / LOADED_BALL["radius_x_m"]  # D = 1
     lambdabar = 12 * 0.05 * 4 * c.semi_axis_a_m / (scale**2 * c.hertz_pa)
     layer = float(density(c.hertz_pa)) * track.flooded_film_m / scale
     row = {"alphabar": alphabar, "lambdabar": lambdabar, "kappa": 1.0, "layer": layer}

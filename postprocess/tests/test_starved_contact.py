@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
-from contact import BALL
+from contact import LOADED_BALL
 
 import ehlwave
 from ehlwave.cli import main
@@ -38,7 +38,8 @@ def wave(amplitude_m: float = 50e-9, length_m: float = 2e-4) -> ehlwave.deform.S
 
 
 def test_film_is_that_of_the_atlas_times_the_law() -> None:
-    flooded, starved = ehlwave.Contact(**BALL), ehlwave.Contact(**BALL, oil_over_flooded=0.5)
+    flooded = ehlwave.Contact(**LOADED_BALL)
+    starved = ehlwave.Contact(**LOADED_BALL, oil_over_flooded=0.5)
     c = flooded.conditions
     ratio = float(film_over_flooded(0.5, c.m, c.l, c.d))
     film, full = starved.film(), flooded.film()
@@ -108,8 +109,8 @@ def test_from_bodies() -> None:
 
 
 def test_lambda_ratio_falls_and_its_error_has_that_of_the_law() -> None:
-    flooded = ehlwave.Contact(**BALL).deform(wave(20e-9)).statistics
-    starved = ehlwave.Contact(**BALL, oil_over_flooded=0.5).deform(wave(20e-9)).statistics
+    flooded = ehlwave.Contact(**LOADED_BALL).deform(wave(20e-9)).statistics
+    starved = ehlwave.Contact(**LOADED_BALL, oil_over_flooded=0.5).deform(wave(20e-9)).statistics
     assert starved.rq_after_m < flooded.rq_after_m
     assert starved.mean_film_m < 0.51 * flooded.mean_film_m
     assert starved.lambda_errors["film"] > FILM_BAR
@@ -117,7 +118,7 @@ def test_lambda_ratio_falls_and_its_error_has_that_of_the_law() -> None:
 
 
 def test_components_outside_the_law_are_not_judged_and_count_in_the_error() -> None:
-    contact = ehlwave.Contact(**BALL, oil_over_flooded=0.5)
+    contact = ehlwave.Contact(**LOADED_BALL, oil_over_flooded=0.5)
     short = contact.deform(wave(length_m=1e-5))
     assert any("law of starved contacts" in group.reason for group in short.unjudged)
     inside = contact.deform(wave(), ends="none", form="none")
@@ -168,7 +169,7 @@ def test_waves_and_laws_that_are_refused() -> None:
 
 
 def input_file(folder: Path, inlet: str) -> Path:
-    keys = ", ".join(f"{key} = {value}" for key, value in BALL.items())
+    keys = ", ".join(f"{key} = {value}" for key, value in LOADED_BALL.items())
     file = folder / "case.nml"
     file.write_text(f"&conditions {keys} /\n&inlet {inlet} /\n")
     return file
@@ -184,7 +185,7 @@ def test_command_takes_the_inlet_of_a_file(
     words = [str(trace), "--conditions", str(file), "--length-unit", "um", "--height-unit", "um"]
     assert main(["lambda", *words, "--json"]) == 0
     said = json.loads(capsys.readouterr().out)
-    contact = ehlwave.Contact(**BALL, oil_over_flooded=0.5)
+    contact = ehlwave.Contact(**LOADED_BALL, oil_over_flooded=0.5)
     assert said["transfer"] == contact.transfer().name
     assert said["conditions"]["central_film_m"] == pytest.approx(contact.film().central_m)
     assert main(["deform", *words]) == 0
@@ -204,7 +205,7 @@ def test_other_keys_of_the_inlet_are_refused_with_a_reason(tmp_path: Path, key: 
 
 def test_film_by_the_formula_has_the_law_too() -> None:
     flooded, starved = (
-        read_conditions([f"{key}={value}" for key, value in (BALL | more).items()])
+        read_conditions([f"{key}={value}" for key, value in (LOADED_BALL | more).items()])
         for more in ({}, {"oil_over_flooded": 0.5})
     )
     ratio = starved.film_ratio
@@ -214,7 +215,7 @@ def test_film_by_the_formula_has_the_law_too() -> None:
 
 
 def test_other_laws_of_viscosity_are_refused() -> None:
-    conditions = ehlwave.Contact(**BALL, oil_over_flooded=0.5).conditions
+    conditions = ehlwave.Contact(**LOADED_BALL, oil_over_flooded=0.5).conditions
     oil = conditions.oil
     object.__setattr__(oil, "other_laws", ("viscosity_law = 'mcewen'",))
     with pytest.raises(RangeError, match="Roelands"):

@@ -4,19 +4,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from contact import BALL
 
 import ehlwave
 from ehlwave.deform import ReadOptions, read_surface
 
 STEP = 2e-6
-CONTACT = {
-    "radius_x_m": 0.0127,
-    "radius_y_m": 0.0127,
-    "reduced_modulus_pa": 2.26e11,
-    "load_n": 40,
-    "mean_speed_m_per_s": 4,
-    "viscosity_pa_s": 0.05,
-}
 
 
 def heights() -> np.ndarray:
@@ -31,7 +24,7 @@ def rows() -> np.ndarray:
 
 
 def test_an_array_is_what_the_same_array_is_in_a_file(tmp_path: Path) -> None:
-    contact = ehlwave.Contact(**CONTACT)
+    contact = ehlwave.Contact(**BALL)
     for values in (heights(), rows()):
         np.save(tmp_path / "a.npy", values)
         of_file = contact.deform(tmp_path / "a.npy", step=STEP, length_unit="m", height_unit="m")
@@ -49,7 +42,7 @@ def test_an_array_is_what_the_same_array_is_in_a_file(tmp_path: Path) -> None:
 
 def test_an_array_without_a_step_says_so() -> None:
     with pytest.raises(ehlwave.SurfaceError, match="step"):
-        ehlwave.Contact(**CONTACT).deform(heights())
+        ehlwave.Contact(**BALL).deform(heights())
     with pytest.raises(ehlwave.SurfaceError, match="real numbers"):
         read_surface(np.array(["a"] * 9), ReadOptions(step=STEP))
 
@@ -63,7 +56,7 @@ def test_masked_heights_are_missing() -> None:
 
 def test_topographies_go_in_and_out() -> None:
     package = pytest.importorskip("SurfaceTopography")
-    contact = ehlwave.Contact(**CONTACT)
+    contact = ehlwave.Contact(**BALL)
     line = package.UniformLineScan(heights() * 1e9, heights().size * STEP * 1e9, unit="nm")
     plane = package.Topography(rows().T, (64 * STEP, 40 * STEP), unit="m")
     for given, values in ((line, heights()), (plane, rows())):

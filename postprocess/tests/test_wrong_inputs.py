@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 import xarray as xr
+from contact import BALL
 
 import ehlwave
 from ehlwave.choices import AXES, DECIMALS, FORMS, LAWS, RATIO_COLUMNS, WINDOWS
@@ -24,8 +25,7 @@ from ehlwave.schema import EDGES
 REMOVED = object()
 Keys = dict[str, Any]
 
-DATA = {"radius_x_m": 0.0127, "radius_y_m": 0.0127, "reduced_modulus_pa": 2.26e11, "load_n": 40}
-DATA |= {"mean_speed_m_per_s": 0.5, "viscosity_pa_s": 0.05}
+DATA = BALL | {"mean_speed_m_per_s": 0.5}
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 1}
 LINE = {"load_n": 1000, "length_m": 0.01, "speeds_m_per_s": (0.5, 0.5), "viscosity_pa_s": 0.05}
 BALLS = {"load_n": 30, "speeds_m_per_s": (0.5, 0.5), "viscosity_pa_s": 0.05}
@@ -280,6 +280,7 @@ WRONG = [
     ),
     value(race, "osculation", 0.4, "0.52"),
     value(race, "pitch_diameter_m", 0.006, "0.04"),
+    value(race, "element_diameter_m", 7.94, "0.00794"),
     Wrong(
         sheet,
         {"temperature_k": REMOVED},

@@ -1,10 +1,9 @@
 !> The rough surfaces of a contact, and the sum of their heights in the gap.
 module ehlwave_surfaces
    use ehlwave_kinds, only: dp
-   use ehlwave_waviness, only: no_waviness, waviness_t
+   use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
-   public :: new_surfaces
 
    !> The gap is the sum over the list. Results are about the surface at `main`.
    type, public :: surfaces_t
@@ -34,17 +33,6 @@ module ehlwave_surfaces
    real(dp), parameter :: fewest_beats = 0.5_dp        !! in which a fit tells two frequencies apart
 
 contains
-
-   !> One surface; without it a smooth one.
-   pure function new_surfaces(waviness) result(self)
-      type(waviness_t), intent(in), optional :: waviness
-      type(surfaces_t) :: self
-      if (present(waviness)) then
-         self%list = [waviness]
-      else
-         self%list = [no_waviness()]
-      end if
-   end function new_surfaces
 
    !> Whether there is any roughness.
    pure logical function is_rough(self)

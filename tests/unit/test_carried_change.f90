@@ -4,7 +4,6 @@ program test_carried_change
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp, pi
    use ehlwave_march_settings, only: march_settings_t
-   use ehlwave_surfaces, only: new_surfaces
    use ehlwave_waviness, only: new_waviness
    use testing, only: test_t
    implicit none (type, external)
@@ -32,7 +31,7 @@ contains
       integer :: k
 
       grid = new_grid(-2.5_dp, 1.5_dp, 2.0_dp, 256, 8, is_half=.true.)
-      settings%surfaces = new_surfaces(new_waviness(wavelength, 0.0_dp, .false., -2.5_dp, 1.0_dp, 0.2_dp))
+      settings%surfaces%list = [new_waviness(wavelength, 0.0_dp, .false., -2.5_dp, 1.0_dp, 0.2_dp)]
       allocate (share(0:grid%nx, 0:grid%ny), source=max(carried, 1e-9_dp))
       call change%begin(grid, settings, share, film(grid, wavelength, 0.0_dp))
       films(0) = grid%value_at_centre(film(grid, wavelength, 0.0_dp))

@@ -5,16 +5,18 @@ program test_resolution
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: inlet_gap, inlet_length, judge_resolution, meniscus_distance, resolution_t, &
       closing_reason, touching_reason
-   use ehlwave_surfaces, only: new_surfaces, surfaces_t
-   use ehlwave_waviness, only: new_waviness
+   use ehlwave_surfaces, only: surfaces_t
+   use ehlwave_waviness, only: new_waviness, no_waviness
    use sample_contact, only: make_conditions
    use testing, only: test_t
    implicit none (type, external)
 
    real(dp), parameter :: h = 0.0625_dp
    type(conditions_t) :: conditions
+   type(surfaces_t) :: smooth
    type(test_t) :: test
 
+   smooth%list = [no_waviness()]
    conditions = make_conditions(100.0_dp, 1.0_dp)
    call check_inlet()
    call check_meniscus()
@@ -30,7 +32,7 @@ contains
    function waves(wavelength_x, wavelength_y, slip) result(surfaces)
       real(dp), intent(in) :: wavelength_x, wavelength_y, slip
       type(surfaces_t) :: surfaces
-      surfaces = new_surfaces(new_waviness(wavelength_x, wavelength_y, .false., -2.5_dp, slip))
+      allocate (surfaces%list(1), source=new_waviness(wavelength_x, wavelength_y, .false., -2.5_dp, slip))
    end function waves
 
    subroutine check_inlet()
@@ -40,18 +42,18 @@ contains
       call test%check_close(inlet_length(conditions), sqrt(12.05_dp/100), 'inlet sweep', relative=1e-14_dp)
       call conditions_from_moes(100.0_dp, 0.0_dp, 1.0_dp, 2.2e-8_dp, dry, error)
       call test%check_close(inlet_length(dry), dry%lambdabar**0.4_dp, 'isoviscous', relative=1e-14_dp)
-      r = judge_resolution(dry, new_surfaces(), -2.5_dp, 2.0_dp, h, h, 0.0_dp)
+      r = judge_resolution(dry, smooth, -2.5_dp, 2.0_dp, h, h, 0.0_dp)
       call test%check(.not. r%is_resolved, 'too coarse without piezoviscosity')
-      r = judge_resolution(dry, new_surfaces(), -2.5_dp, 2.0_dp, 0.5_dp*h, 0.5_dp*h, 0.0_dp)
+      r = judge_resolution(dry, smooth, -2.5_dp, 2.0_dp, 0.5_dp*h, 0.5_dp*h, 0.0_dp)
       call test%check(r%is_resolved, 'fine enough without piezoviscosity')
       call conditions_from_moes(1000.0_dp, 0.3_dp, 1.0_dp, 2.2e-8_dp, dry, error)
       call test%check_close(inlet_length(dry), dry%lambdabar**0.4_dp, 'nearly isoviscous', relative=1e-14_dp)
       call conditions_from_moes(0.1_dp, 0.0_dp, 1.0_dp, 2.2e-8_dp, dry, error)
       call test%check_close(inlet_length(dry), 1.0_dp, 'at most half the contact', relative=0.0_dp)
-      r = judge_resolution(conditions, new_surfaces(), -2.5_dp, 2.0_dp, h, h, 0.0_dp)
+      r = judge_resolution(conditions, smooth, -2.5_dp, 2.0_dp, h, h, 0.0_dp)
       call test%check_close(r%inlet, h*sqrt(100/12.05_dp), 'hX over the inlet length', relative=1e-14_dp)
       call test%check(r%is_resolved .and. r%reason == '', 'fine enough')
-      r = judge_resolution(conditions, new_surfaces(), -2.5_dp, 2.0_dp, 2*h, h, 0.0_dp)
+      r = judge_resolution(conditions, smooth, -2.5_dp, 2.0_dp, 2*h, h, 0.0_dp)
       call test%check(.not. r%is_resolved .and. index(r%reason, 'hX') > 0, 'coarse inlet')
    end subroutine check_inlet
 
@@ -67,7 +69,7 @@ contains
       call test%check_close(r%meniscus, 0.3_dp, 'hX over the distance', relative=1e-12_dp)
       r = judge_resolution(conditions, waves(1.0_dp, 0.0_dp, 1.0_dp), -2.5_dp, 2.0_dp, 0.2_dp*distance, h, h, distance)
       call test%check(r%is_resolved, 'fine enough for waves')
-      r = judge_resolution(conditions, new_surfaces(), -2.5_dp, 2.0_dp, 0.3_dp*distance, h, 0.0_dp, distance)
+      r = judge_resolution(conditions, smooth, -2.5_dp, 2.0_dp, 0.3_dp*distance, h, 0.0_dp, distance)
       call test%check(r%is_resolved, 'fine enough for a film')
       r = judge_resolution(conditions, waves(1.0_dp, 0.0_dp, 1.0_dp), -2.5_dp, 2.0_dp, 0.3_dp*distance, h, h)
       call test%check(r%is_resolved .and. .not. r%meniscus > 0, 'flooded')
@@ -77,9 +79,9 @@ contains
       type(resolution_t) :: r
       real(dp) :: inlet
       inlet = inlet_length(conditions)
-      r = judge_resolution(conditions, new_surfaces(), -2.5_dp, 2.0_dp, 0.2_dp*inlet, 0.39_dp*inlet, 0.0_dp)
+      r = judge_resolution(conditions, smooth, -2.5_dp, 2.0_dp, 0.2_dp*inlet, 0.39_dp*inlet, 0.0_dp)
       call test%check(r%is_resolved, 'sides fine enough')
-      r = judge_resolution(conditions, new_surfaces(), -2.5_dp, 2.0_dp, 0.2_dp*inlet, 0.41_dp*inlet, 0.0_dp)
+      r = judge_resolution(conditions, smooth, -2.5_dp, 2.0_dp, 0.2_dp*inlet, 0.41_dp*inlet, 0.0_dp)
       call test%check(.not. r%is_resolved .and. index(r%reason, 'hY') > 0, 'coarse sides')
    end subroutine check_sides
 
@@ -88,20 +90,20 @@ contains
       type(error_t), allocatable :: error
       type(resolution_t) :: r
       call conditions_from_moes(3.0_dp, 0.0_dp, 0.04_dp, 2.2e-8_dp, light, error)
-      r = judge_resolution(light, new_surfaces(), -2.5_dp, 2.0_dp, 0.1_dp*h, h, 0.0_dp)
+      r = judge_resolution(light, smooth, -2.5_dp, 2.0_dp, 0.1_dp*h, h, 0.0_dp)
       call test%check(.not. r%is_resolved .and. index(r%reason, 'x_min') > 0, 'a film thicker than the inlet')
       call conditions_from_moes(3.0_dp, 0.0_dp, 1.0_dp, 2.2e-8_dp, light, error)
-      r = judge_resolution(light, new_surfaces(), -8.0_dp, 8.0_dp, 0.5_dp*h, h, 0.0_dp)
+      r = judge_resolution(light, smooth, -8.0_dp, 8.0_dp, 0.5_dp*h, h, 0.0_dp)
       call test%check(r%inlet_gap > 8 .and. .not. r%is_resolved .and. index(r%reason, 'rigid') > 0, 'a thick film')
-      r = judge_resolution(light, new_surfaces(), -16.0_dp, 16.0_dp, 0.5_dp*h, h, 0.0_dp)
+      r = judge_resolution(light, smooth, -16.0_dp, 16.0_dp, 0.5_dp*h, h, 0.0_dp)
       call test%check(r%is_resolved, 'a thick film with room')
-      r = judge_resolution(light, new_surfaces(), -16.0_dp, 8.0_dp, 0.5_dp*h, h, 0.0_dp)
+      r = judge_resolution(light, smooth, -16.0_dp, 8.0_dp, 0.5_dp*h, h, 0.0_dp)
       call test%check(.not. r%is_resolved, 'a thick film without room on its sides')
       call test%check(inlet_gap(light, -5.0_dp) > 4*inlet_gap(light, -2.5_dp), 'the gap widens with the square of X')
       call test%check_close(inlet_gap(light, -1.0_dp), 0.0_dp, 'no gap at the edge of the contact', absolute=1e-12_dp)
-      r = judge_resolution(conditions, new_surfaces(), -2.5_dp, 2.0_dp, h, h, 0.0_dp)
+      r = judge_resolution(conditions, smooth, -2.5_dp, 2.0_dp, h, h, 0.0_dp)
       call test%check(r%inlet_gap > 8, 'flooded at M = 100')
-      r = judge_resolution(make_conditions(50.0_dp, 0.04_dp), new_surfaces(), -2.5_dp, 2.0_dp, 0.1_dp*h, h, 0.0_dp)
+      r = judge_resolution(make_conditions(50.0_dp, 0.04_dp), smooth, -2.5_dp, 2.0_dp, 0.1_dp*h, h, 0.0_dp)
       call test%check(r%is_resolved .and. r%inlet_gap < 8, 'not flooded but usable: the lightest contact of the paper')
    end subroutine check_domain
 

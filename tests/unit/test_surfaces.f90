@@ -9,8 +9,8 @@ program test_surfaces
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_status, only: is_success
-   use ehlwave_surfaces, only: new_surfaces, surfaces_t
-   use ehlwave_waviness, only: new_waviness, waviness_t
+   use ehlwave_surfaces, only: surfaces_t
+   use ehlwave_waviness, only: new_waviness, no_waviness, waviness_t
    use silent_monitor, only: silent_monitor_t
    use testing, only: test_t
    implicit none (type, external)
@@ -34,7 +34,6 @@ contains
 
       first = new_waviness(0.7_dp, 0.0_dp, .false., -2.5_dp, 1.3_dp, 0.2_dp)
       second = new_waviness(0.4_dp, 0.9_dp, .false., -2.0_dp, 0.7_dp, 0.1_dp)
-      pair = new_surfaces(first)
       pair%list = [first, second]
       expected = film*(0.2_dp*first%shape_at(x, y, t) + 0.1_dp*second%shape_at(x, y, t))
       call close(pair%rough_at(x, y, t, film), expected, 'behind their fronts')
@@ -51,7 +50,7 @@ contains
       call test%check(pair%moves(), 'one that moves is enough')
       pair%list(2) = new_waviness(0.4_dp, 0.9_dp, .true., -2.0_dp, 0.7_dp, 0.1_dp)
       call test%check(.not. pair%is_symmetric(), 'one that is oblique is enough')
-      pair = new_surfaces()
+      pair%list = [no_waviness()]
       call test%check(.not. (pair%is_rough() .or. pair%moves() .or. pair%is_measured()), 'smooth')
    end subroutine check_sum
 

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from ehlwave import stress as stress
     from ehlwave.answers import Film, Response
     from ehlwave.atlas import Atlas, load_atlas
+    from ehlwave.bootstrap import bootstrap_coefficients, percentile_intervals
     from ehlwave.case_file import read_contact as read_case
     from ehlwave.contact.bodies import Body
     from ehlwave.contact.data_sheet import Oil
@@ -32,15 +33,7 @@ if TYPE_CHECKING:
         SurfaceError,
     )
     from ehlwave.figures import collapse_figure, write_figure
-    from ehlwave.fit import (
-        FitError,
-        FormulaFit,
-        bootstrap_coefficients,
-        fit_formula,
-        percentile_intervals,
-        point_weights,
-        rms_residual,
-    )
+    from ehlwave.fit import FitError, FormulaFit, fit_formula, point_weights, rms_residual
     from ehlwave.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
     from ehlwave.operating_point import Contact
     from ehlwave.points import select_points
@@ -52,6 +45,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "answers": ("Film", "Response"),
     "atlas": ("Atlas", "load_atlas"),
+    "bootstrap": ("bootstrap_coefficients", "percentile_intervals"),
     "contact.bodies": ("Body",),
     "contact.data_sheet": ("Oil",),
     "contact.heat_data": ("BodyHeat", "Heat"),
@@ -71,9 +65,7 @@ _HOMES = {
     "fit": (
         "FitError",
         "FormulaFit",
-        "bootstrap_coefficients",
         "fit_formula",
-        "percentile_intervals",
         "point_weights",
         "rms_residual",
     ),

@@ -7,7 +7,9 @@ from ehlwave.answers import Film, given_film
 from ehlwave.atlas.chart import Chart
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
-from ehlwave.heat_laws import Heated, heated, isothermal_error_by_data
+from ehlwave.heat_laws import Heated
+from ehlwave.heated_contact import heated
+from ehlwave.isothermal_friction import isothermal_error_by_data
 
 
 def film_of(

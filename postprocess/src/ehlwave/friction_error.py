@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from ehlwave.contact.conditions import Conditions
-from ehlwave.contact.conditions_from_keys import DATA_ERRORS, film_change
+from ehlwave.contact.data_errors import DATA_ERRORS, film_change
 from ehlwave.sheared_film import Sliding
 
 

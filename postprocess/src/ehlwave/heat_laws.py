@@ -13,8 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
-from ehlwave.contact.scales import moes_per_film
-from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.friction_error import error_by_data
 from ehlwave.sheared_film import Sheared, Sliding, shear_isothermal, shear_warm
 
@@ -175,44 +173,22 @@ def sliding_film(conditions: Conditions, eyring_stress_pa: float, film_m: float)
     )
 
 
-def heated(
-    conditions: Conditions, heat: Heat, film_m: float, eyring_stress_pa: float | None
-) -> Heated:
-    """Return film and friction of a contact with heat.
-
-    Parameters
-    ----------
-    conditions : Conditions
-        From dimensional data.
-    heat : Heat
-        Of its oil and bodies.
-    film_m : float
-        Central film without heat, m.
-    eyring_stress_pa : float or None
-        Of a Ree-Eyring oil.
-
-    Raises
-    ------
-    RangeError
-        If the contact lies outside the contacts that the laws were fitted to.
-    """
-    _check(conditions, heat, film_m, eyring_stress_pa)
-    return warmed(conditions, heat, film_m, eyring_stress_pa)
-
-
 def warmed(
     conditions: Conditions, heat: Heat, film_m: float, eyring_stress_pa: float | None
 ) -> Heated:
-    """Return what :func:`heated` does, also outside the range, where errors are not known."""
+    """Return film and friction of a contact with heat, errors as of contacts within the ranges.
+
+    Arguments are those of :func:`ehlwave.heated_contact.heated`, which refuses others.
+    """
     given, ratio = dict(conditions.given), 2 * (conditions.slip_parameter - 1)
     u, error = float(given["mean_speed_m_per_s"]), heat.oil_conductivity_error
     over_c = film_m / float(conditions.hertz_approach_c_m or np.nan)
 
     def inlet_of(heat: Heat) -> float:
         wall = wall_parameter(heat, film_m, conditions.semi_axis_a_m, u)
-        return float(inlet_factor(_loading(conditions, heat), ratio, wall))
+        return float(inlet_factor(loading_of(conditions, heat), ratio, wall))
 
-    inlet, loading = inlet_of(heat), _loading(conditions, heat)
+    inlet, loading = inlet_of(heat), loading_of(conditions, heat)
     ends = (inlet_of(_conducting(heat, 1 + e)) for e in (-error, error))
     film_error = INLET_BAR + max(abs(end / inlet - 1) for end in ends)
     if ratio == 0 or eyring_stress_pa is None:
@@ -233,7 +209,7 @@ def warmed(
         other = _conducting(heat, conductivity)
         one = replace(one, film_m=one.film_m * inlet_of(other) / inlet)
         found = shear_warm(one, other)
-        return found.friction * factor(found, one.film_m / film_m, _loading(conditions, other))
+        return found.friction * factor(found, one.film_m / film_m, loading_of(conditions, other))
 
     return Heated(
         film,
@@ -255,98 +231,9 @@ def _conducting(heat: Heat, factor: float) -> Heat:
     return other
 
 
-def isothermal_error_by_data(
-    conditions: Conditions, film_moes: float, eyring_stress_pa: float
-) -> float:
-    """Return what errors of the oil's data make of friction without heat, relative.
-
-    `film_moes`: the central film in the Moes scale.
-
-    Friction depends on the rate eta0 u/h, not on the size: Rx = 1 m, eta0 = 1 Pa s stand for any,
-    with u and h by M, L and D: 2U = (L/(alpha E'))^4 = 2 eta0 u/(E' Rx), h = H Rx (2U)^(1/2).
-    """
-    oil = conditions.oil
-    modulus = float(oil.stress_modulus_pa2 or 0.0) / eyring_stress_pa
-    speed_2u = (conditions.l / (oil.pressure_viscosity_per_pa * modulus)) ** 4
-    case = Sliding(
-        hertz_pa=conditions.hertz_pa,
-        semi_axis_a_m=1.0,
-        film_m=film_moes * speed_2u**0.5,
-        mean_speed_m_per_s=speed_2u * modulus / 2,
-        slide_to_roll_ratio=2 * (conditions.slip_parameter - 1),
-        viscosity_pa_s=1.0,
-        pressure_viscosity_per_pa=oil.pressure_viscosity_per_pa,
-        roelands_index=oil.roelands_index,
-        eyring_stress_pa=eyring_stress_pa,
-        is_line=conditions.is_line,
-    )
-    c = conditions
-    per_film = moes_per_film(c.m, c.kappa)
-
-    def friction(one: Sliding, _: float) -> float:
-        found, over_c = shear_isothermal(one), film_moes / per_film * one.film_m / case.film_m
-        stress = found.friction * one.hertz_pa / eyring_stress_pa
-        ratio = one.slide_to_roll_ratio
-        return found.friction * float(friction_factor(over_c, c.is_line, stress, 0.0, ratio))
-
-    # A ratio of two frictions, each within the bar of the law.
-    return (1 + 2 * COLD_BAR) * error_by_data(conditions, case, friction)
-
-
-def check_heat(conditions: Conditions, heat: Heat) -> None:
-    """Refuse contacts that the laws are not for.
-
-    Raises SurfaceError if the contact has no dimensional data, is starved, or `heat` is none.
-    """
-    if not isinstance(heat, Heat):
-        raise SurfaceError(
-            f"Contact: heat = {heat!r} is no ehlwave.Heat; Contact.from_bodies(..., heat=True) "
-            "takes the own data of oil and bodies"
-        )
-    if "viscosity_pa_s" not in dict(conditions.given):
-        raise SurfaceError(
-            "Contact: heat needs dimensional conditions (viscosity_pa_s, ...), not M, L and D"
-        )
-    if conditions.is_starved:
-        raise SurfaceError(
-            "Contact: gives heat and oil_over_flooded: no law knows both: remove one, or compute "
-            "the contact with ehlwave-case"
-        )
-
-
-def _loading(conditions: Conditions, heat: Heat) -> float:
+def loading_of(conditions: Conditions, heat: Heat) -> float:
+    """Return L_T of a contact from dimensional data."""
     given = dict(conditions.given)
     u, eta = (float(given[key]) for key in ("mean_speed_m_per_s", "viscosity_pa_s"))
     beta, k = heat.viscosity_temperature_per_k, heat.oil_conductivity_w_per_m_k
     return float(thermal_loading(eta, beta, u, k))
-
-
-def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float | None) -> None:
-    """Refuse what lies outside the contacts of the fit."""
-    oil = conditions.oil
-    values = {
-        "load_parameter_m": [conditions.m],
-        "lubricant_parameter_l": [conditions.l],
-        "hertz_pressure_pa": [conditions.hertz_pa],
-        "pressure_viscosity_per_pa": [oil.pressure_viscosity_per_pa],
-        "roelands_index": [oil.roelands_index],
-        "eyring_stress_pa": [] if stress_pa is None else [stress_pa],
-        "abs(slide_to_roll_ratio)": [2 * abs(conditions.slip_parameter - 1)],
-        "film over Hertz approach": [film_m / float(conditions.hertz_approach_c_m or np.nan)],
-        "eta0 beta u^2/k": [_loading(conditions, heat)],
-        "effusivity of a body": [body.effusivity for body in heat.bodies],
-    }
-    for name, found in values.items():
-        low, high = RANGES[name]
-        for value in found:
-            if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
-                raise RangeError(_outside(name, value, f"{low:g} to {high:g}"))
-    if 0 < conditions.d < LOWEST_RATIO:
-        raise RangeError(_outside("radius_ratio_d", conditions.d, f"{LOWEST_RATIO:g} to 1, or 0"))
-
-
-def _outside(name: str, value: float, range_text: str) -> str:
-    return (
-        f"{name} = {value:.4g} is outside {range_text}, the range of the laws of heat: compute the "
-        "contact with ehlwave-case, &heat, or leave heat out"
-    )

@@ -58,7 +58,7 @@ PLAUSIBLE = {
     "radius_x_m": _RADIUS,
     "radius_y_m": _RADIUS_ACROSS,
     "ball_diameter_m": _RADIUS,
-    "roller_diameter_m": _RADIUS,
+    "element_diameter_m": _RADIUS,
     "pitch_diameter_m": Plausible(1e-4, 50, (1e-2, 5)),
     "length_m": Plausible(1e-6, 10, (1e-4, 1)),
     "reduced_modulus_pa": _MODULUS,

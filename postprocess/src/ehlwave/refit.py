@@ -6,17 +6,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import xarray as xr
 
+from ehlwave.bootstrap import bootstrap_coefficients, percentile_intervals
 from ehlwave.choices import REPLICATES, SEED
-from ehlwave.fit import (
-    NO_INTERVAL,
-    FitError,
-    Interval,
-    bootstrap_coefficients,
-    fit_formula,
-    percentile_intervals,
-    point_weights,
-    rms_residual,
-)
+from ehlwave.fit import NO_INTERVAL, FitError, Interval, fit_formula, point_weights, rms_residual
 from ehlwave.points import VARIABLES, Variable, condition_index, of_orientation
 from ehlwave.schema import DIMENSION, ORIENTATIONS
 

@@ -76,7 +76,7 @@ def shear_isothermal(case: Sliding) -> Sheared:
     pressure, weight = _pressures(case)
     log_eta, _ = _log_viscosity(case, None, pressure, np.zeros_like(pressure))
     log_b = np.log(case.sliding_m_per_s / case.film_m / case.eyring_stress_pa) + log_eta
-    return _friction(case, case.eyring_stress_pa * _asinh_exp(log_b), pressure, weight)
+    return Sheared(_friction(case, case.eyring_stress_pa * _asinh_exp(log_b), weight))
 
 
 def shear_warm(case: Sliding, heat: Heat) -> Sheared:
@@ -89,10 +89,10 @@ def shear_warm(case: Sliding, heat: Heat) -> Sheared:
         lengths = np.sqrt(case.semi_axis_a_m * np.sqrt(_strips(case)[0]))[:, None]
         warmed = spread * lengths * (stress * case.sliding_m_per_s @ _half_order().T)
         at_walls += 0.5 * (warmed - at_walls)
-    found = _friction(case, stress, pressure, weight)
+    friction = _friction(case, stress, weight)
     middle = PLACES // 2
     walls = float(at_walls[0, middle])
-    return Sheared(found.friction, walls + float(rise[0, middle]), walls)
+    return Sheared(friction, walls + float(rise[0, middle]), walls)
 
 
 def _strips(case: Sliding) -> tuple[Floats, Floats]:
@@ -118,10 +118,11 @@ def _pressures(case: Sliding) -> tuple[Floats, Floats]:
     return pressure, np.outer(weights * np.sqrt(squares), np.ones(PLACES))
 
 
-def _friction(case: Sliding, stress: Floats, pressure: Floats, weight: Floats) -> Sheared:
+def _friction(case: Sliding, stress: Floats, weight: Floats) -> float:
+    """Return the integral of the stress over the load."""
     load = {True: np.pi / 2, False: 2 * np.pi / 3}[case.is_line] * case.hertz_pa
     area = 2.0 if case.is_line else np.pi
-    return Sheared(float(np.sum(stress * weight) / np.sum(weight) * area / load))
+    return float(np.sum(stress * weight) / np.sum(weight) * area / load)
 
 
 @cache

@@ -42,9 +42,12 @@ TRANSVERSE, OTHERS = (0.25, 2.0), (0.35, 1.0)
 TRANSVERSE_BELOW_DEG = 22.5
 """Waves at smaller angles count as transverse: the fitted ones were at 0, 45 and 90 degrees."""
 
+OIL_OVER_FLOODED = "oil_over_flooded"
+"""The key of r."""
+
 UNDER_SLIP = (
-    "oil_over_flooded needs pure rolling (slip_parameter = 1, slide_to_roll_ratio = 0): under slip "
-    "the two layers of oil move apart, which the law of starved contacts does not know"
+    f"{OIL_OVER_FLOODED} needs pure rolling (slip_parameter = 1, slide_to_roll_ratio = 0): under "
+    "slip the two layers of oil move apart, which the law of starved contacts does not know"
 )
 WAVES_TEXT = (
     f"wavelengths of {TRANSVERSE[0]:g} to {TRANSVERSE[1]:g} a below {TRANSVERSE_BELOW_DEG:g} "

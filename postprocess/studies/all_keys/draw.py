@@ -5,122 +5,15 @@ An entry returns the value of its key, or None for a key that is not given.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-import xarray as xr
 
-from ehlwave.writing import Writer
+from studies.all_keys import rules
+from studies.all_keys.random_contact import AMBIENT_K, Contact
+from studies.all_keys.rules import ONE_LENGTH, Draw, Row, Value
 
-MODULUS_PA = 2.26e11
-CELLS = (24, 32, 48, 50, 64, 64, 72, 80, 96, 96, 96, 112)
 LARGEST_CELLS = (64, 96, 128)
-ONE_LENGTH = ("transverse", "isotropic", "longitudinal")
-SPECIAL_LAWS = ("mcewen", "yasutomi", "doolittle", "table")
-AMBIENT_K = 313.15
-
-Value = float | int | bool | str | None
-Row = dict[str, Any]
-
-
-@dataclass
-class Contact:
-    """Random choices before the keys, because several keys follow from them."""
-
-    rng: np.random.Generator
-    folder: Path
-    """Where measured surfaces are put."""
-
-    def __post_init__(self) -> None:
-        """Draw the contact."""
-        self.m = self.power(6, 300)
-        self.l = 0.0 if self.chance(0.03) else self.between(1, 18)
-        self.is_line = self.chance(0.12)
-        self.d = 0.0 if self.is_line else self.power(0.01 if self.chance(0.1) else 0.05, 1)
-        self.has_surface = self.chance(0.04) and not self.is_line
-        self.is_dimensional = self.has_surface or (self.l > 0 and self.chance(0.25))
-        self.alpha = self.power(5e-9, 4e-8) if self.chance(0.4) else 2.2e-8
-        if self.is_dimensional:
-            self.m, self.l = self.power(20, 300), self.between(3, 15)
-        self.accuracy = self.power(0.01, 0.2) if self.chance(0.35) else None
-        self.is_warm = self.is_dimensional and not self.has_surface and self.chance(0.3)
-        # from a stream of its own, so that it changes no other key
-        scheme = self.rng.spawn(1)[0].integers(10)
-        self.scheme = {0: "auto", 1: "averaged", 2: "fitted", 3: "fitted"}.get(int(scheme))
-        warm = self.rng.spawn(1)[0].integers(0, 6, 3)
-        self.has_warm_waves = self.is_warm and warm[0] < 3
-        self.warm_law = "doolittle" if self.is_warm and warm[1] == 0 else None
-        self.carries_heat = self.has_warm_waves and warm[2] < 3
-
-    def chance(self, share: float) -> bool:
-        """Return True in that share of the calls."""
-        return bool(self.rng.random() < share)
-
-    def between(self, low: float, high: float) -> float:
-        """Return a number of four digits."""
-        return float(f"{low + (high - low) * self.rng.random():.4g}")
-
-    def power(self, low: float, high: float) -> float:
-        """Return a number whose logarithm is uniform."""
-        return float(f"{low * (high / low) ** self.rng.random():.4g}")
-
-    def one_of(self, *choices: Any) -> Any:  # noqa: ANN401 - one of them
-        """Return one of some choices."""
-        return choices[int(self.rng.integers(len(choices)))]
-
-    def data(self) -> dict[str, float]:
-        """Return dimensional data of the contact: Rx = 10 mm, eta0 = 0.04 Pa s."""
-        radius, viscosity = 0.01, 0.04
-        speed = 0.5 * (self.l / (self.alpha * MODULUS_PA)) ** 4
-        u2 = 2 * speed
-        data = {"radius_x_m": radius, "viscosity_pa_s": viscosity}
-        data["mean_speed_m_per_s"] = speed * MODULUS_PA * radius / viscosity
-        if self.is_line:
-            data["load_n_per_m"] = self.m * MODULUS_PA * radius * u2**0.5
-        else:
-            data["radius_y_m"] = radius / self.d
-            data["load_n"] = self.m * MODULUS_PA * radius**2 * u2**0.75
-        return {name: float(f"{value:.6g}") for name, value in data.items()}
-
-    def surface(self) -> str:
-        """Write a measured surface about 1.5 a long and return its path."""
-        path = self.folder / f"surface-{self.rng.integers(1 << 31)}.h5"
-        data = self.data()
-        half_width = (1.5 * data["load_n"] * 0.01 / MODULUS_PA) ** (1 / 3)
-        points = 24
-        step = 1.5 * half_width / points
-        phase = 2 * np.pi * np.arange(points) / points
-        height = sum(np.cos(n * phase + 6 * self.rng.random()) / n for n in (1, 2, 3))
-        height *= np.sin(np.pi * np.arange(points) / (points - 1)) ** 2  # nothing enters as a step
-        heights = 1e-9 * self.power(1, 20) * np.array([height])
-        surface = xr.Dataset(
-            {"height": (("y", "x"), heights)}, coords={"x": step * np.arange(points), "y": [0.0]}
-        )
-        return str(Writer().dataset(path, surface))
-
-    def viscosities(self) -> str:
-        """Write a table of viscosities, those of an oil like Roelands', and return its path."""
-        z, coefficient = self.between(0.5, 0.7), self.power(0.02, 0.05)
-        rows = ["pressure_pa,temperature_k,viscosity_pa_s"]
-        for rise in (0.0, 25.0, 50.0):
-            for pressure in np.concatenate([[0, 2e7, 5e7], np.linspace(1e8, 4e9, 30)]):
-                grown = self.alpha * 1.96e8 / z * ((1 + pressure / 1.96e8) ** z - 1)
-                viscosity = 0.04 * np.exp(grown - coefficient * rise)
-                rows.append(f"{pressure:.6g},{AMBIENT_K + rise},{viscosity:.9g}")
-        name = f"viscosities-{self.rng.integers(1 << 31)}.csv"
-        return str(Writer().text(self.folder / name, "\n".join(rows) + "\n"))
-
-    def layers(self) -> str:
-        """Write a layer of oil that varies across and return its path."""
-        rows = ["y_over_b,layer_over_given"]
-        rows += [f"{y},{self.between(0.3, 1)}" for y in (0.0, 0.5, 1.0, 1.5)]
-        name = f"layers-{self.rng.integers(1 << 31)}.csv"
-        return str(Writer().text(self.folder / name, "\n".join(rows) + "\n"))
-
-
-Draw = Callable[[Contact, Row], Value]
 
 
 def _dimension(name: str) -> Draw:
@@ -141,98 +34,8 @@ def _share(share: float, inner: Draw) -> Draw:
     return lambda c, row: inner(c, row) if c.chance(share) else None
 
 
-def _slip(c: Contact, row: Row) -> Value:
-    if c.chance(0.4):
-        return None
-    return c.one_of(0.0, 2.0) if c.chance(0.05) else round(c.between(0.25, 1.75), 2)
-
-
-def _ratio(c: Contact, row: Row) -> Value:
-    return None if "slip_parameter" in row or c.chance(0.5) else round(c.between(-1.5, 1.5), 2)
-
-
-def _modulus(c: Contact, row: Row) -> Value:
-    return MODULUS_PA if c.is_dimensional else c.power(5e10, 3e11)
-
-
-def _law(c: Contact, row: Row) -> Value:
-    if c.warm_law:
-        return c.warm_law
-    if c.is_dimensional or c.chance(0.55):
-        return c.one_of("roelands", "roelands", "barus") if c.chance(0.5) else None
-    return c.one_of("barus", "isoviscous", *SPECIAL_LAWS)
-
-
-def _orientation(c: Contact, row: Row) -> Value:
-    if (c.is_warm and not c.has_warm_waves) or c.has_surface or c.chance(0.3):
-        return None
-    return "transverse" if c.is_line else c.one_of(*ONE_LENGTH, "transverse", "custom")
-
-
-def _wave_y(c: Contact, row: Row) -> Value:
-    if row.get("orientation") != "custom":
-        return None
-    if row["wavelength_x_over_a"] == 0:
-        return c.power(0.5, 2.5)
-    return 0.0 if c.chance(0.3) else c.power(0.5, 2.5)
-
-
-def _orientation_2(c: Contact, row: Row) -> Value:
-    """Return the waves of surface 2; those of marches have to move."""
-    if "orientation" not in row or not c.chance(0.15):
-        return None
-    stands = c.is_line or row.get("response") != "harmonic"
-    return "transverse" if stands else c.one_of(*ONE_LENGTH, "custom")
-
-
-def _response(c: Contact, row: Row) -> Value:
-    if "orientation" not in row:
-        return None
-    periodic = () if c.is_warm else ("periodic",)
-    return c.one_of("harmonic", "harmonic", "harmonic", "transient", *periodic, "both")
-
-
-def _cells(c: Contact, row: Row) -> Value:
-    if c.accuracy:
-        return None if c.chance(0.9) else 96
-    return 0 if c.chance(0.25) else c.one_of(*CELLS) * (3 if c.is_line else 1)
-
-
-def _step(c: Contact, row: Row) -> Value:
-    if row.get("orientation") is None or row.get("response") in ("harmonic", "both", "periodic"):
-        return 0.5 if c.chance(0.1) else None
-    return c.one_of(0.5, 2, 1) if c.chance(0.3) else None
-
-
 def _tolerance(usual: float) -> Draw:
     return lambda c, row: c.power(0.01 * usual, 100 * usual) if c.chance(0.25) else None
-
-
-def _method(c: Contact, row: Row) -> Value:
-    if c.is_line or c.chance(0.6) or {"oil_over_flooded", "oil_layer_m"} & set(row):
-        return None
-    return c.one_of("fas", "fas", "newton", "petsc")
-
-
-def _scheme(c: Contact, row: Row) -> Value:
-    starved = {"oil_over_flooded", "oil_layer_m"} & set(row)
-    return None if c.is_warm or starved else c.scheme
-
-
-def _oil(c: Contact, row: Row) -> Value:
-    rolls = row.get("slip_parameter", 1) == 1 or row.get("orientation") is None
-    if not rolls or row.get("response") == "periodic" or c.has_surface or c.is_warm:
-        return None
-    if not c.chance(0.12):
-        return None
-    return c.power(0.3, 5)
-
-
-def _layer(c: Contact, row: Row) -> Value:
-    """Return a layer in metres; of many contacts it is more than they take."""
-    if "radius_x_m" not in row or "oil_over_flooded" in row or _oil(c, row) is None:
-        return None
-    return c.power(1e-7, 1e-5)
 
 
 def _starved(inner: Draw) -> Draw:
@@ -241,12 +44,6 @@ def _starved(inner: Draw) -> Draw:
 
 def _changing(inner: Draw) -> Draw:
     return lambda c, row: inner(c, row) if "oil_change_factor" in row else None
-
-
-def _end(c: Contact, row: Row) -> Value:
-    if row.get("response") in ("harmonic", "periodic") or not c.chance(0.08):
-        return None
-    return c.between(1, 6)
 
 
 def _between(low: float, high: float) -> Draw:
@@ -286,15 +83,10 @@ def _warm(inner: Draw) -> Draw:
     return lambda c, row: inner(c, row) if c.is_warm else None
 
 
-def _beta(c: Contact, row: Row) -> Value:
-    has_own = row.get("viscosity_law") in ("yasutomi", "doolittle", "table")
-    return None if has_own else c.between(0.02, 0.06)
-
-
 DRAWS: dict[str, Draw] = {
     "radius_x_m": _dimension("radius_x_m"),
     "radius_y_m": _dimension("radius_y_m"),
-    "reduced_modulus_pa": _modulus,
+    "reduced_modulus_pa": rules.modulus,
     "load_n": _dimension("load_n"),
     "load_n_per_m": _dimension("load_n_per_m"),
     "mean_speed_m_per_s": _dimension("mean_speed_m_per_s"),
@@ -302,8 +94,8 @@ DRAWS: dict[str, Draw] = {
     "load_parameter_m": _moes("m"),
     "lubricant_parameter_l": _moes("l"),
     "radius_ratio_d": _moes("d"),
-    "slip_parameter": _slip,
-    "viscosity_law": _law,
+    "slip_parameter": rules.slip,
+    "viscosity_law": rules.law,
     "pressure_viscosity_per_pa": _has_alpha(lambda c, row: c.alpha),
     "roelands_index": _has_alpha(_share(0.4, _between(0.4, 0.9))),
     "density_law": _share(0.4, _one_of("incompressible", "tait", "dowson_higginson")),
@@ -340,7 +132,7 @@ DRAWS: dict[str, Draw] = {
     "oil_heat_capacity_j_per_kg_k": _warm(_between(1600, 2400)),
     "oil_density_kg_per_m3": _warm(_between(800, 1000)),
     "oil_expansion_per_k": _warm(_share(0.8, _between(5e-4, 9e-4))),
-    "viscosity_temperature_per_k": _warm(_beta),
+    "viscosity_temperature_per_k": _warm(rules.beta),
     "body_conductivity_w_per_m_k": _warm(_share(0.2, _between(1, 60))),
     "body_density_kg_per_m3": _warm(_share(0.2, _between(2000, 8000))),
     "body_heat_capacity_j_per_kg_k": _warm(_share(0.2, _between(400, 900))),
@@ -348,20 +140,20 @@ DRAWS: dict[str, Draw] = {
     "body2_density_kg_per_m3": _warm(_share(0.2, _between(2000, 8000))),
     "body2_heat_capacity_j_per_kg_k": _warm(_share(0.2, _between(400, 900))),
     "levels": _warm(_share(0.2, _whole(6, 40))),
-    "orientation": _orientation,
+    "orientation": rules.orientation,
     "wavelength_over_a": _where("orientation", *ONE_LENGTH)(_power(0.5, 3)),
     "wavelength_x_over_a": _custom(lambda c, row: 0.0 if c.chance(0.15) else c.power(0.4, 3)),
-    "wavelength_y_over_a": _wave_y,
+    "wavelength_y_over_a": rules.wave_y,
     "oblique": _custom(
         lambda c, row: c.chance(0.5) and row["wavelength_x_over_a"] * row["wavelength_y_over_a"] > 0
     ),
     "amplitude_over_film": _wavy(_share(0.7, _power(0.01, 1))),
-    "response": _response,
+    "response": rules.response,
     "wave_temperatures": _where("response", "transient", "both")(
         lambda c, row: "carried" if c.carries_heat else None
     ),
     "file": lambda c, row: c.surface() if c.has_surface else None,
-    "orientation_2": _orientation_2,
+    "orientation_2": rules.orientation_2,
     "wavelength_over_a_2": _where("orientation_2", *ONE_LENGTH)(_power(0.5, 3)),
     "wavelength_x_over_a_2": _where("orientation_2", "custom")(_power(0.4, 3)),
     "wavelength_y_over_a_2": _where("orientation_2", "custom")(
@@ -374,8 +166,8 @@ DRAWS: dict[str, Draw] = {
         _share(0.7, _power(0.01, 0.5))
     ),
     "file_2": _share(0.2, lambda c, row: c.surface() if c.has_surface else None),
-    "oil_over_flooded": _oil,
-    "oil_layer_m": _layer,
+    "oil_over_flooded": rules.oil,
+    "oil_layer_m": rules.layer,
     "oil_profile": _starved(_share(0.2, lambda c, row: c.layers())),
     "oil_change_factor": _starved(
         _where("response", "transient", "both")(_share(0.2, _between(0.5, 1.5)))
@@ -385,19 +177,19 @@ DRAWS: dict[str, Draw] = {
     "x_min": _share(0.15, _between(-5, -2)),
     "x_max": _share(0.15, _between(1.3, 2.5)),
     "y_max": _share(0.15, lambda c, row: None if c.is_line else c.between(1.5, 3)),
-    "cells_x": _cells,
-    "cells_y": lambda c, row: None if c.is_line else _cells(c, row),
+    "cells_x": rules.cells,
+    "cells_y": lambda c, row: None if c.is_line else rules.cells(c, row),
     "largest_cells": lambda c, row: c.one_of(*LARGEST_CELLS) * (4 if c.is_line else 1),
     "domain": _share(0.08, lambda c, row: None if c.is_line else c.one_of("auto", "whole")),
     "edges": _share(0.4, _one_of("truncated", "flooded")),
     "tolerance": _tolerance(1e-6),
     "step_tolerance": _tolerance(1e-4),
     "response_tolerance": _tolerance(1e-5),
-    "time_step_over_cell": _step,
+    "time_step_over_cell": rules.step,
     "largest_steps": _share(0.1, _whole(20, 100)),
     "settling_periods": _share(0.15, _one_of(0, 1, 2, 3)),
     "largest_total_steps": _share(0.05, _whole(200, 5000)),
-    "method": _method,
+    "method": rules.method,
     "cycle": _where("method", "fas")(_share(0.6, _one_of("v", "f", "w"))),
     "deformation": _share(
         0.2, lambda c, row: "fft" if c.is_line else c.one_of("auto", "mlmi", "fft")
@@ -410,15 +202,15 @@ DRAWS: dict[str, Draw] = {
     ),
     "natural_frequency": _where("load_balance", "equation_of_motion")(_power(1, 30)),
     "load_factor": _share(0.03, _between(0.8, 1.2)),
-    "end_time": _end,
+    "end_time": rules.end,
     "fields": _share(0.1, lambda c, row: True),
     "fields_every": _where("response", "transient", "both")(_share(0.2, _whole(4, 40))),
     "sensitivities": _share(
         0.1, lambda c, row: None if {"oil_over_flooded", "oil_layer_m"} & set(row) else True
     ),
     "mean_rise": _share(0.05, lambda c, row: False),
-    "slide_to_roll_ratio": _ratio,
-    "scheme": _scheme,
+    "slide_to_roll_ratio": rules.ratio,
+    "scheme": rules.scheme,
 }
 
 

@@ -13,8 +13,9 @@ from ehlwave.atlas.atlas import shipped
 from ehlwave.atlas.kinds import KINDS, LINE, LINE_NEWTONIAN, LINE_SLIDING, SLIDING_WIDE, Kind
 from studies.atlas import line_design, line_sliding_design, sliding_wide_design
 from studies.atlas.anchors import with_anchors
+from studies.atlas.batches import write_batch, write_rises, write_validation
 from studies.atlas.catalogue import DRAWS
-from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
+from studies.atlas.design import DESIGNS
 from studies.atlas.fit import finished
 from studies.atlas.points import read_points
 from studies.atlas.store import write_atlas

@@ -16,9 +16,10 @@ from studies import sweeps
 from studies.atlas import line_design, line_sliding_design
 from studies.atlas.bearings import CONTACTS, SEED, ball_contacts, roller_contacts
 from studies.atlas.cams import cam_contacts
-from studies.atlas.design import GROUPS, WIDE_DESIGN, random_wave, random_wavelength
+from studies.atlas.design import GROUPS, WIDE_DESIGN
 from studies.atlas.gears import gear_contacts
 from studies.atlas.line_sliding_design import GROUPS_OF
+from studies.atlas.waves import random_wave, random_wavelength
 from studies.programs import Groups
 
 COMPUTED = 30

@@ -1,11 +1,9 @@
-"""Where the atlas is computed: contacts, the patterns of each, and its grid."""
+"""Where the atlas is computed: its contacts, and the grid of each."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
@@ -13,12 +11,10 @@ from ehlwave.atlas import Atlas
 from ehlwave.atlas.coordinates import hertz_film
 from ehlwave.atlas.kind import is_within
 from ehlwave.atlas.kinds import ROLLING, SLIDING, SLIDING_WIDE, WIDE, Kind
-from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
+from ehlwave.atlas.ranges import CONTACT_RANGES
 from ehlwave.atlas.sliding import MODULUS_PA
 from ehlwave.contact.conditions import MOES_KEYS
 from ehlwave.contact.scales import ellipticity, lambdabar, pressure_factor
-from studies import sweeps
-from studies.atlas.points import contact_of
 from studies.programs import Groups
 
 Floats = NDArray[np.float64]
@@ -57,21 +53,8 @@ CELLS_ACROSS = 36
 ROOMY_FILM, ROOM = 0.4, 2
 """Film over the Hertz approach from which on a domain is so many times as large as usual."""
 
-LONGITUDINAL = 100.0
-"""Degrees up to which directions are drawn where a tenth shall be longitudinal."""
-
-MARGIN = 1.15
-"""By which wavelengths go beyond the range, so that its ends are not ends of the data."""
-
-STANDS_ACROSS = 0.5
-"""Degrees from either axis within which a wave is transverse or longitudinal, not oblique."""
-
-FEWEST_FOR_RISES = 8
-"""Mesh sizes in a wave of which only the mean film is asked, on half the cells of its contact."""
-
 SIZES = (128, 192, 256, 384, 512, 768, 1024)
-MOST_CELLS = SIZES[-1]
-"""In one direction, of waves that the atlas is judged by."""
+"""Cells along X or Y that grids have."""
 
 GROUPS: Groups = {
     "waviness": {"orientation": "custom", "response": "harmonic"},
@@ -219,54 +202,6 @@ def contact_at(shares: Sequence[float], ranges: Ranges = CONTACT_RANGES) -> dict
     return found
 
 
-def patterns(
-    design: Design, contact: dict[str, float], random: np.random.Generator
-) -> Iterator[dict[str, float]]:
-    """Yield wavelengths of the patterns of a contact that its grid resolves."""
-    cells_x, cells_y = (max(cells, design.most_cells) for cells in design.grid(contact))
-    shortest = design.fewest_points * np.array(design.extent(contact)) / (cells_x, cells_y)
-    for angle, count in design.directions:
-        order = random.permutation(count)
-        for place in order:
-            most = LONGITUDINAL if design.most_cells else 90
-            theta = np.radians(min(random.uniform(0, most), 90) if angle is None else angle)
-            # What neither direction's mesh resolves is not asked for.
-            low = max(WAVE_RANGE[0] / MARGIN, *(shortest * np.abs([np.cos(theta), np.sin(theta)])))
-            high = WAVE_RANGE[1] * MARGIN
-            wave = low * (high / low) ** ((place + random.random()) / count)
-            yield pattern(wave, np.degrees(theta))
-
-
-def pattern(wavelength_over_a: float, angle_deg: float) -> dict[str, float]:
-    """Return the keys of a pattern by its wavelength along the wave vector and its direction."""
-    theta = np.radians(angle_deg)
-    along, across = np.cos(theta), np.sin(theta)
-    return {
-        "wavelength_x_over_a": 0.0 if along < 1e-9 else float(f"{wavelength_over_a / along:.7g}"),
-        "wavelength_y_over_a": 0.0 if across < 1e-9 else float(f"{wavelength_over_a / across:.7g}"),
-    }
-
-
-def write_batch(
-    folder: Path, batch: int, design: Design = ROLLING_DESIGN, atlas: Atlas | None = None
-) -> Path:
-    """Write the sweep of a batch: where the atlas so far knows least, if there is one.
-
-    Without one it fills the ranges unless it is one of slender contacts.
-    """
-    if atlas is not None:
-        chosen = uncertain_contacts(atlas, design.seed + 1000 + batch)
-    elif design.kind is ROLLING and batch in SLENDER_BATCHES:
-        chosen = spread_contacts({**CONTACT_RANGES, **SLENDER}, 4000 + batch, CONTACTS)
-    elif design.kind is WIDE:
-        chosen = wide_contacts(batch, design)
-    else:
-        chosen = spread_contacts(design.kind.ranges, design.seed, CONTACTS, batch, design.kind)
-    random = np.random.default_rng([batch, design.seed])
-    name = f"{design.kind.name}-{batch:02d}"
-    return sweeps.write_sweep(folder, name, rows(design, chosen, random), design.groups)
-
-
 def wide_contacts(batch: int, design: Design) -> list[Contact]:
     """Return contacts of a batch of the wide atlas: within its first ranges, then beyond them."""
     kind, ranges = design.kind, design.kind.ranges
@@ -277,16 +212,6 @@ def wide_contacts(batch: int, design: Design) -> list[Contact]:
         ranges, seed = {**ranges, **BALLS}, seed + 1
         piece = batch - BALL_BATCHES.start
     return spread_contacts(ranges, seed, CONTACTS, piece, kind, FIRST_RANGES)
-
-
-def write_validation(folder: Path, design: Design = ROLLING_DESIGN, each: int = 2) -> Path:
-    """Write the sweep that the atlas is judged by: random contacts and waves."""
-    random, found = np.random.default_rng(design.validation_seed), []
-    for contact in random_contacts(design.kind, random, design.validated, design.judges):
-        for _ in range(each):
-            waves = random_wave(design, contact, random)
-            found.append({**as_keys(contact), **waves, **design.domain(contact)})
-    return sweeps.write_sweep(folder, f"{design.kind.name}-validation", found, design.groups)
 
 
 def random_contacts(
@@ -301,92 +226,3 @@ def random_contacts(
         if is_wanted(contact) if is_wanted else not kind.beyond(contact):
             count -= 1
             yield contact
-
-
-def random_wavelength(random: np.random.Generator) -> float:
-    """Return a wavelength over a, its logarithm evenly spread over the range."""
-    low, high = WAVE_RANGE
-    return low * (high / low) ** random.random()
-
-
-def as_keys(contact: dict[str, float]) -> dict[str, float]:
-    """Return the input keys of a contact: of E' tau0 the stress between steel bodies."""
-    keys = dict(contact)
-    if "stress_modulus_pa2" in keys:
-        keys["eyring_stress_pa"] = keys.pop("stress_modulus_pa2") / MODULUS_PA
-    return keys
-
-
-def write_rises(folder: Path, design: Design, computed: xr.Dataset) -> Path:
-    """Write the sweep of mean films under oblique waves: those of the computed points, one by one.
-
-    The points themselves are products of cosines, two waves, of which the mean film is not that
-    of one. A single oblique wave takes the whole domain; its rise, a correction, half the cells.
-    """
-    found = []
-    for contact in range(computed.sizes["contact"]):
-        keys = {name: float(computed[name].values[contact]) for name in design.kind.ranges}
-        own = computed.isel(point=np.flatnonzero(contact_of(computed) == contact))
-        for wave, angle in zip(
-            own["wavelength_over_a"].values, own["angle_deg"].values, strict=True
-        ):
-            if STANDS_ACROSS < angle < 90 - STANDS_ACROSS:
-                waves = {**pattern(float(wave), float(angle)), "oblique": True}
-                cells = grid_for_rise(design, keys, float(wave), float(angle))
-                found.append({**as_keys(keys), **waves, **cells, **design.domain(keys)})
-    return sweeps.write_sweep(folder, f"{design.kind.name}-rises", found, design.groups)
-
-
-def grid_for_rise(
-    design: Design, contact: dict[str, float], wave: float, angle_deg: float
-) -> dict[str, int]:
-    """Return half the cells of a contact, or as many more as the wave asks for."""
-    theta = np.radians(angle_deg)
-    extent = design.extent(contact)
-    shares = np.cos(theta), np.sin(theta)
-    cells = []
-    for whole, length, share in zip(design.grid(contact), extent, shares, strict=True):
-        least = max(whole // 2, FEWEST_FOR_RISES * length / wave * share)
-        cells.append(next(n for n in (64, 96, *SIZES) if n >= least))
-    return {"cells_x": cells[0], "cells_y": cells[1]}
-
-
-def random_wave(
-    design: Design, contact: dict[str, float], random: np.random.Generator
-) -> dict[str, float]:
-    """Return a pattern of any length and direction in the range, and a grid that resolves it.
-
-    A quarter are transverse. What 1024 cells do not resolve is drawn again.
-    """
-    while True:
-        wave = random_wavelength(random)
-        angle = 0.0 if random.random() < 0.25 else random.uniform(0, 90)
-        waves = pattern(wave, angle)
-        cells = cells_for(design, contact, waves)
-        if max(cells) <= MOST_CELLS:
-            return {**waves, **dict(zip(("cells_x", "cells_y"), cells, strict=True))}
-
-
-def cells_for(
-    design: Design, contact: Mapping[str, float], waves: Mapping[str, float]
-) -> tuple[int, int]:
-    """Return cells along X and Y that resolve a contact and a pattern."""
-    lengths = waves["wavelength_x_over_a"], waves["wavelength_y_over_a"]
-    found = []
-    for cells, extent, length in zip(
-        design.grid(contact), design.extent(contact), lengths, strict=True
-    ):
-        need = design.fewest_points * extent / length if length > 0 else 0.0
-        found.append(next((n for n in (cells, *SIZES) if n >= max(cells, need)), MOST_CELLS + 1))
-    return found[0], found[1]
-
-
-def rows(
-    design: Design, chosen: Sequence[dict[str, float]], random: np.random.Generator
-) -> Iterator[dict[str, float]]:
-    """Yield the cases of some contacts."""
-    for contact in chosen:
-        for waves in patterns(design, contact, random):
-            found = cells_for(design, contact, waves) if design.most_cells else design.grid(contact)
-            cells = dict(zip(("cells_x", "cells_y"), found, strict=True))
-            yield {**as_keys(contact), **waves, **cells, **design.domain(contact)}

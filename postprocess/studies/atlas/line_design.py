@@ -12,14 +12,8 @@ from ehlwave.atlas.line_rolling import COMPUTED
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.contact.line_contact import SLENDER_OVER_LINE, line_film, moes_per_line_film
 from studies import sweeps
-from studies.atlas.design import (
-    GROUPS,
-    MARGIN,
-    random_contacts,
-    random_wavelength,
-    spread_contacts,
-    uncertain_contacts,
-)
+from studies.atlas.design import GROUPS, random_contacts, spread_contacts, uncertain_contacts
+from studies.atlas.waves import MARGIN, random_wavelength
 
 CONTACTS = 32
 """Of one batch."""

@@ -11,18 +11,18 @@ from ehlwave.atlas.kinds import LINE_NEWTONIAN, LINE_SLIDING
 from ehlwave.atlas.line_rolling import COMPUTED
 from studies import sweeps
 from studies.atlas import line_design
+from studies.atlas.batches import as_keys
 from studies.atlas.design import (
     GROUPS,
     SLIDING_DESIGN,
     Contact,
     Ranges,
-    as_keys,
     random_contacts,
-    random_wavelength,
     spread_contacts,
     uncertain_contacts,
 )
 from studies.atlas.line_design import waves
+from studies.atlas.waves import random_wavelength
 
 CONTACTS = 32
 """Of one batch."""

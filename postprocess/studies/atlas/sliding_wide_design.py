@@ -13,13 +13,13 @@ from ehlwave.atlas.sliding import conditions_of
 from ehlwave.atlas.sliding_wide import beyond_sliding, film_under_slip, thinning_of
 from ehlwave.contact.conditions import MOES_KEYS
 from studies import sweeps
+from studies.atlas.batches import rows
 from studies.atlas.design import (
     CONTACTS,
     SIZES,
     SLIDING_DESIGN,
     Contact,
     Design,
-    rows,
     spread_contacts,
     uncertain_contacts,
 )

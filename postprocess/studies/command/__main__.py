@@ -6,7 +6,7 @@ import os
 import sys
 from functools import partial
 
-from studies.command import atlas, checks, full, maps, robustness  # noqa: F401 - fill the table
+from studies.command import atlas, checks, costs, full, laws, maps, robustness  # noqa: F401 - fill the table
 from studies.command.options import STUDIES
 from studies.command.steps import StoppedError, pass_signals_on
 

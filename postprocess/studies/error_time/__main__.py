@@ -8,7 +8,7 @@ from pathlib import Path
 import pandas as pd
 
 from ehlwave.writing import Writer
-from studies.command import maps
+from studies.command import costs
 from studies.command.options import step_parser
 from studies.error_time import errors, figures, model
 from studies.error_time.runs import FULL, QUICK
@@ -18,7 +18,7 @@ from studies.sweeps import run_command
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Write the sweep, or tables and figures; return 0, or 1 with a message."""
-    parser = step_parser(maps.error_vs_time, __doc__)
+    parser = step_parser(costs.error_vs_time, __doc__)
     parser.add_argument("step", choices=("cases", "report"))
     parser.add_argument("folder", type=Path, help="of all files; made when absent")
     return run_command(parser, _run, arguments)

@@ -1,14 +1,14 @@
 """What a contact outside the atlas would have to be, in the quantities that it was given by."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from scipy.optimize import linprog
 
 from ehlwave.atlas.kind import Kind, is_within
 from ehlwave.contact.conditions import Conditions
-from ehlwave.contact.conditions_from_keys import moes_values
+from ehlwave.contact.moes_parameters import moes_values
 from ehlwave.contact.thinning import MOST_LOSS
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.hints import see
@@ -54,7 +54,7 @@ def refuse_outside(contact: Conditions, kind: Kind) -> None:
     if "slip_parameter" in wrong:
         raise RangeError(_slip_text(contact, ranges["slip_parameter"]))
     beyond = "" if wrong else kind.beyond(place)
-    if "mean_speed_m_per_s" not in given or not (beyond or _follow(wrong, given)):
+    if "mean_speed_m_per_s" not in given or not (beyond or _follow(wrong)):
         return
     powers = {key: _powers(given, key, ranges) for key in COSTS if key in given}
     single = {
@@ -62,10 +62,11 @@ def refuse_outside(contact: Conditions, kind: Kind) -> None:
         for key, power in powers.items()
     }
     names = {key: (name, factor) for key, name, factor in contact.names}
-    texts = []
-    for key, ends in single.items():
-        if ends is not None and _is_plausible(key, given[key], ends):
-            texts.append((key, *(given[key] * end for end in ends)))
+    texts = [
+        (key, given[key] * ends[0], given[key] * ends[1])
+        for key, ends in single.items()
+        if ends is not None and _is_plausible(key, given[key], ends)
+    ]
     said = beyond or ", ".join(_coordinate(key, place[key], ranges[key]) for key in wrong)
     if texts:
         first, low, high = texts[0]
@@ -94,7 +95,7 @@ def thinned_text(contact: Conditions) -> str:
     )
 
 
-def _follow(wrong: list[str], given: Mapping[str, float]) -> bool:
+def _follow(wrong: list[str]) -> bool:
     """Return whether one of them follows from several quantities; others are said as they are."""
     return any(key in LETTERS or key == STRESS for key in wrong)
 
@@ -238,11 +239,11 @@ def _ends(low: float, high: float) -> str:
     return f"{_rounded(low, math.ceil)} to {_rounded(high, math.floor)}"
 
 
-def _rounded(value: float, towards: object) -> str:
+def _rounded(value: float, towards: Callable[[float], int]) -> str:
     if value <= 0 or not math.isfinite(value):
         return f"{value:g}"
     unit = 10.0 ** (math.floor(math.log10(value)) - _DIGITS + 1)
-    return f"{towards(value / unit) * unit:.4g}"  # type: ignore[operator]
+    return f"{towards(value / unit) * unit:.4g}"
 
 
 def _unit(key: str, name: str) -> str:

@@ -198,7 +198,7 @@ def _radius(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
     radius = number(value, name, "Body")
     if radius == 0:
         raise SurfaceError(f"Body: {name} = {value} is no radius: remove it where a body is flat")
-    if not is_quantity(value):
+    if not is_quantity(value):  # a hollow body has a plausible radius, too
         number(abs(radius), name, "Body")
     return radius
 
@@ -210,11 +210,11 @@ def _race(
     angle_deg: Any,  # noqa: ANN401
 ) -> tuple[float, float, float]:
     """Return the diameter, the pitch diameter over the cosine, and the radius of the groove."""
-    d = number(diameter, "ball_diameter_m", "Body")
+    d = number(diameter, "element_diameter_m", "Body")
     dm = number(pitch, "pitch_diameter_m", "Body")
     if dm <= d:
         raise SurfaceError(
-            f"Body: pitch_diameter_m = {dm:g} must be above the diameter of ball or roller, {d:g}, "
+            f"Body: pitch_diameter_m = {dm:g} must be above element_diameter_m = {d:g}, "
             f"such as {5 * d:g}"
         )
     groove = FLAT

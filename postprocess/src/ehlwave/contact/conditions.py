@@ -5,6 +5,7 @@ Equation numbers are those of ``src/theory.md``.
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from ehlwave.contact.line_contact import (
     SLENDER_OVER_LINE,
@@ -208,7 +209,7 @@ class Conditions:
         """Return by how much thinner than of a Newtonian oil the film is at most; inf: unknown."""
         return film_loss(self.oil, self.l, *self.stresses_in_inlet)
 
-    @property
+    @cached_property
     def stresses_in_inlet(self) -> tuple[float, float]:
         """Return what pressure and slip make of shear stresses in the inlet, over the oil's own."""
         moes = self.m, self.l, self.d

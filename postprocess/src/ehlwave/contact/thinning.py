@@ -21,8 +21,9 @@ from ehlwave.contact.oils import Oil
 from ehlwave.contact.scales import first_integral, moes_film, moes_per_film
 
 BY_PRESSURE, PIEZOVISCOUS, BY_SLIP = 0.03, 0.16, 0.008
-"""Relative loss of film over N^2, the same times L where that is less, and over T. They are bounds:
-drawn contacts computed with ``ehlwave-case`` lose at most 0.94 of it, up to :data:`MOST_LOSS`."""
+"""Relative loss of film over N^2, the same times L where that is less, and over T, chosen so that
+their sum is a bound for contacts without an atlas: of those that ``scripts/study thinning`` draws
+none loses more than 0.93 of it. Ree-Eyring oils under slip lose up to 1.23 of it."""
 
 MOST_LOSS = 0.15
 """Loss up to which a film of a Newtonian oil stands for that of one that thins."""
@@ -68,6 +69,11 @@ def stresses_in_inlet(
     return by_pressure, INLET_VISCOSITY * medium.thinning
 
 
+def loss_bound(lubricant_l: float, by_pressure: float, by_slip: float) -> float:
+    """Return the bound of the loss, however large, from L, N and T."""
+    return min(BY_PRESSURE, PIEZOVISCOUS / lubricant_l) * by_pressure**2 + BY_SLIP * by_slip
+
+
 def film_loss(oil: Oil, lubricant_l: float, by_pressure: float, by_slip: float) -> float:
     """Return the largest share of the film of a Newtonian oil that thinning takes; inf: unknown.
 
@@ -75,7 +81,7 @@ def film_loss(oil: Oil, lubricant_l: float, by_pressure: float, by_slip: float) 
     """
     if by_pressure == 0:
         return 0.0
-    loss = min(BY_PRESSURE, PIEZOVISCOUS / lubricant_l) * by_pressure**2 + BY_SLIP * by_slip
+    loss = loss_bound(lubricant_l, by_pressure, by_slip)
     exponent = oil.carreau_exponent
     is_known = loss <= MOST_LOSS and (exponent is None or exponent >= LEAST_EXPONENT)
     return loss if is_known else math.inf

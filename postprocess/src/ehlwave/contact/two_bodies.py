@@ -10,9 +10,10 @@ from typing import Any
 
 from ehlwave.contact.bodies import FLAT, Body
 from ehlwave.contact.conditions import MOES_KEYS
-from ehlwave.contact.conditions_from_keys import KNOWN_KEYS, ROUND_OFF
+from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.contact.line_contact import LOAD_KEY
+from ehlwave.contact.moes_parameters import ROUND_OFF
 from ehlwave.errors import SurfaceError
 from ehlwave.hints import did_you_mean, see
 from ehlwave.quantities import number, plain

@@ -33,7 +33,8 @@ from ehlwave.deform.table import TableTransfer
 from ehlwave.deform.table_read import read_table
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.operating_point import conditions_with_film, contact_of
+from ehlwave.operating_point import contact_of
+from ehlwave.smooth_contact import conditions_with_film
 from ehlwave.writing import Writer
 
 MOST_COMPARED = 2**20

@@ -8,15 +8,13 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy import fft
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.line_contact import TRANSVERSE_ALONE
 from ehlwave.deform.prepare import Form, Window, extended, judged_part, remove_form
 from ehlwave.deform.rough_pressure import ripple_of
 from ehlwave.deform.roughness import gaussian_filtered, roughness_parameters
-from ehlwave.deform.spectrum import Coverage, Spectrum, Unjudged, empty_spectrum
+from ehlwave.deform.spectrum import Spectrum, Unjudged
 from ehlwave.deform.statistics import (
     Components,
     FilmStatistics,
@@ -24,6 +22,7 @@ from ehlwave.deform.statistics import (
     film_statistics,
     warnings_of,
 )
+from ehlwave.deform.superposition import superposed
 from ehlwave.deform.surface import Heights, Surface, checked_surface
 from ehlwave.deform.transfer import FormulaBasis, FormulaTransfer, Transfer
 from ehlwave.errors import SurfaceError
@@ -36,8 +35,6 @@ if TYPE_CHECKING:
 
 SINGLE_PRECISION_POINTS = 2**22
 """Maps with more points than this are transformed in single precision (relative error 1e-6)."""
-
-WORKERS = 2
 
 Cutoffs = tuple[float | None, float | None]
 """Long and short cut-off of a filter, lambda_c and lambda_s, m."""
@@ -215,7 +212,7 @@ def deform_surface(
     if working.size > SINGLE_PRECISION_POINTS:
         working = working.astype(np.float32, copy=False)
     shape = flat.height.shape
-    height, spectra, cover, rise = _filtered(extended(working, window), flat, conditions, chosen)
+    height, spectra, cover, rise = superposed(extended(working, window), flat, conditions, chosen)
     height = np.ascontiguousarray(height[: shape[0], : shape[1]])
     part = judged_part((shape[0], shape[1]), window)
     error_m = cover.error_m()
@@ -251,81 +248,6 @@ def _checked_cutoffs(cutoffs_m: Any) -> Cutoffs:  # noqa: ANN401 - what users gi
         ) from None
     found = [None if one is None else number(one, "cutoffs_m") for one in (long, short)]
     return found[0], found[1]
-
-
-def _filtered(
-    height: Heights, surface: Surface, conditions: Conditions, transfer: Transfer
-) -> tuple[Heights, dict[str, Spectrum], Coverage, float | None]:
-    """Return the sum of the components times their transfer, and the spectra on the way.
-
-    Besides the rise of the mean film over the smooth one, for Rq equal to that, if it is known.
-    """
-    nx, ny = height.shape
-    # The half spectrum is along y but for traces along x.
-    half = 0 if ny == 1 else 1
-    spectrum = fft.rfftn(height, axes=(1 - half, half), workers=WORKERS)
-    del height
-    qx = _frequencies(nx, surface.step_x_m, half == 0)
-    qy = _frequencies(ny, surface.step_y_m, half == 1)
-    spectra = {"x": empty_spectrum(qx), "y": empty_spectrum(qy)}
-    cover = Coverage(conditions, transfer)
-    mean_square, rise = 0.0, 0.0
-    rows = max(1, 2**16 // spectrum.shape[1])
-    for first in range(0, spectrum.shape[0], rows):
-        block = slice(first, min(first + rows, spectrum.shape[0]))
-        part = spectrum[block]
-        along, across = qx[block, None], qy[None, :]
-        # The transfer is even in qy and depends on the sign of qx.
-        ratio = transfer.ratio(along, across)
-        power = part.real.astype(np.float64) ** 2 + part.imag.astype(np.float64) ** 2
-        before = power * (_multiplicity(block, nx, ny, half) / (nx * ny) ** 2)
-        after = before * np.abs(ratio) ** 2
-        spectra["x"].add(block, before.sum(axis=1), after.sum(axis=1))
-        spectra["y"].add(slice(None), before.sum(axis=0), after.sum(axis=0))
-        if first == 0:
-            before[0, 0] = after[0, 0] = 0  # the mean, which is no roughness
-        cover.add(along, across, before, after)
-        mean_square += before.sum()
-        of_wave = transfer.rise(along, across)
-        # A wave of amplitude A has a mean square of A^2/2.
-        rise += math.nan if of_wave is None else 2 * (of_wave * before).sum()
-        part *= _real_at_nyquist(ratio, block, nx).astype(part.dtype)
-    sizes = (nx, ny) if half == 1 else (ny, nx)
-    deformed = fft.irfftn(
-        spectrum, s=sizes, axes=(1 - half, half), workers=WORKERS, overwrite_x=True
-    )
-    known = rise / mean_square if mean_square > 0 else 0.0
-    return deformed, spectra, cover, None if math.isnan(rise) else known
-
-
-def _real_at_nyquist(ratio: NDArray[Any], block: slice, nx: int) -> NDArray[Any]:
-    """Return the ratio, real for the shortest wave along x: it is its own conjugate."""
-    if np.iscomplexobj(ratio) and nx % 2 == 0 and block.start <= nx // 2 < block.stop:
-        ratio[nx // 2 - block.start].imag = 0
-    return ratio
-
-
-def _multiplicity(block: slice, nx: int, ny: int, half: int) -> NDArray[np.float64]:
-    """Return how often each term of a block of the half spectrum stands in the whole one.
-
-    Of two conjugate terms that both are in the half spectrum (no variation, or the shortest wave,
-    along the halved direction) one is given both, the other none.
-    """
-    full, halved = (ny, nx) if half == 0 else (nx, ny)
-    index = np.arange(full)
-    is_own = (index == 0) | (2 * index == full)
-    first_of_two = np.where(is_own, 1.0, np.where(2 * index < full, 2.0, 0.0))
-    halved_index = np.arange(halved // 2 + 1)
-    is_shared = (halved_index == 0) | (2 * halved_index == halved)
-    if half == 0:
-        return np.where(is_shared[block, None], first_of_two[None, :], 2.0)
-    return np.where(is_shared[None, :], first_of_two[block, None], 2.0)
-
-
-def _frequencies(count: int, step_m: float, is_half: bool) -> NDArray[np.float64]:
-    if count == 1:
-        return np.zeros(1)
-    return np.asarray(fft.rfftfreq(count, step_m) if is_half else fft.fftfreq(count, step_m))
 
 
 def _check_scale(surface: Surface, conditions: Conditions) -> None:

@@ -29,7 +29,9 @@ CARRIED = (*OF_THE_OIL, *OF_THE_EDGES, *OF_THE_INLET, *OF_MARCHES)
 CLASSIFIED = IN_COLUMNS | OF_THE_SOLUTION | WITHOUT_EFFECT | OF_THE_HEAT | frozenset(CARRIED)
 
 WORDS = ("edges", "load_balance", "viscosity_table", "oil_profile")
+"""Keys whose values are text, besides the laws of the oil."""
 STRESSES = ("eyring_stress_pa", "carreau_modulus_pa")
+"""Of oils that shear thins."""
 
 
 def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:
@@ -54,16 +56,24 @@ def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:
     linear = _is_linear(points)
     columns: dict[str, list[Any]] = {}
     for key in CARRIED:
-        is_march, is_modulus = key in OF_MARCHES, key == "reduced_modulus_pa"
         values = [
-            None
-            if (is_march and is_linear) or (is_modulus and not any(s in one for s in STRESSES))
-            else one.get(key)
+            one.get(key) if _counts(key, one, is_linear) else None
             for one, is_linear in zip(inputs, linear, strict=True)
         ]
         if any(value is not None for value in values):
             columns[key] = values
     return columns
+
+
+def _counts(key: str, keys: Mapping[str, float | str], is_linear: bool) -> bool:
+    """Return whether a response depends on a key that its case has.
+
+    Keys of marches are nothing to a response to small waves, and the modulus matters where a
+    stress thins the oil, times that stress.
+    """
+    if key in OF_MARCHES:
+        return not is_linear
+    return key != "reduced_modulus_pa" or any(stress in keys for stress in STRESSES)
 
 
 def _inputs(points: xr.Dataset) -> list[dict[str, float | str]]:

@@ -23,7 +23,7 @@ import h5py
 import numpy as np
 import pandas as pd
 
-from ehlwave.contact.conditions_from_keys import SMALLEST_RADIUS_RATIO
+from ehlwave.contact.moes_parameters import SMALLEST_RADIUS_RATIO
 from ehlwave.contact.scales import ellipticity
 from ehlwave.deform.table_keys import table_columns
 from ehlwave.deform.table_matching import refuse_two_responses

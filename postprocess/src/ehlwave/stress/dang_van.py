@@ -96,7 +96,7 @@ def dang_van_factor(
 
 
 def dang_van_path(history: xr.Dataset | Mapping[str, ArrayLike], dim: str = "time") -> Path:
-    """Return the path in the plane of shear and hydrostatic stress; arguments as of the factor."""
+    """Return shear and hydrostatic stress over time; arguments as of :func:`dang_van_factor`."""
     arrays, _ = _time_first(history, dim)
     shape = arrays["sxx"].shape
     shear, pressure = np.empty((2, shape[0], int(np.prod(shape[1:]))))

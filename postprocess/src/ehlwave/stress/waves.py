@@ -40,8 +40,8 @@ class Directions:
 
     u: Any
     v: Any
-    """`u`, `v`: a/k and b/k where factors are odd in them: real fields have none of the shortest
-    wave."""
+    """`u`, `v`: a/k and b/k, where factors are odd in them. They are 0 for the shortest wave of a
+    grid, of which a real field has no odd part."""
     uu: Any
     vv: Any
     """`uu`, `vv`: their squares, where factors are even."""

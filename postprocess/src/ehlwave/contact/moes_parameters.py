@@ -1,0 +1,61 @@
+"""M, L and D of dimensional data; of line contacts: :mod:`ehlwave.contact.line_contact`.
+
+Equation numbers are those of ``src/theory.md``.
+"""
+
+import math
+from collections.abc import Mapping
+
+from scipy.special import ellipe
+
+from ehlwave.contact.line_contact import LOAD_KEY, line_values
+from ehlwave.contact.oils import Oil
+from ehlwave.contact.scales import ellipticity
+from ehlwave.errors import SurfaceError
+
+DIMENSIONAL_KEYS = (
+    "radius_x_m",
+    "radius_y_m",
+    "reduced_modulus_pa",
+    "load_n",
+    "mean_speed_m_per_s",
+    "viscosity_pa_s",
+)
+
+SMALLEST_RADIUS_RATIO = 0.005
+
+ROUND_OFF = 1e-12
+"""Relative: D of equal radii is 1 but for it."""
+
+
+def moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
+    """Return M, L, D and the semi-axis a, m, that dimensional data give, eq. (1) and (2)."""
+    alpha = values.get("pressure_viscosity_per_pa", Oil.pressure_viscosity_per_pa)
+    if LOAD_KEY in values:
+        return line_values(values, alpha)
+    radius_x, radius_y, modulus, load, speed, viscosity = (values[key] for key in DIMENSIONAL_KEYS)
+    speed_2u = viscosity * 2 * speed / (modulus * radius_x)
+    load_w = load / (modulus * radius_x**2)
+    d = checked_ratio(radius_x / radius_y, place)
+    kappa = ellipticity(d)
+    radius = 1 / (1 / radius_x + 1 / radius_y)
+    e = float(ellipe(1 - kappa**2))
+    return {
+        "load_parameter_m": load_w * speed_2u**-0.75,
+        "lubricant_parameter_l": alpha * modulus * speed_2u**0.25,
+        "radius_ratio_d": d,
+        "semi_axis_a_m": (3 * load * radius / modulus * 2 * kappa * e / math.pi) ** (1 / 3),
+    }
+
+
+def checked_ratio(d: float, place: str) -> float:
+    """Return D, 1 where radii are equal but for round-off; refuse what is out of range."""
+    if abs(d - 1) <= ROUND_OFF:
+        return 1.0
+    if d != 0 and not SMALLEST_RADIUS_RATIO <= d <= 1:
+        raise SurfaceError(
+            f"{place}: D = Rx/Ry = {d:.6g} must lie in {SMALLEST_RADIUS_RATIO} to 1, or be 0 (line "
+            "contact); for Rx > Ry the contact is wider along rolling, which is outside the "
+            "model's range"
+        )
+    return d

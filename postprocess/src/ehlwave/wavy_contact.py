@@ -1,0 +1,157 @@
+"""A contact with small waves on one body: its responses."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from ehlwave.answers import Response
+from ehlwave.errors import RangeError
+from ehlwave.quantities import number
+from ehlwave.response_answer import response_of
+from ehlwave.responses import response_table, responses_figure
+from ehlwave.slip import slip_given
+from ehlwave.smooth_contact import SmoothContact
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+    from numpy.typing import ArrayLike
+
+
+class WavyContact(SmoothContact):
+    """What :class:`ehlwave.Contact` knows of small waves."""
+
+    def response(
+        self,
+        wavelength_over_a: float,
+        angle_deg: float = 0.0,
+        slip_parameter: float | None = None,
+        slide_to_roll_ratio: float | None = None,
+    ) -> Response:
+        """Return the response at the contact centre to small waves, from the atlas.
+
+        Parameters
+        ----------
+        wavelength_over_a : float
+            Wavelength along the wave vector over the Hertz semi-axis a, 0.1 to 4.
+        angle_deg : float
+            Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal.
+            Line contacts answer for 0 alone.
+        slip_parameter : float, optional
+            S of the surface that carries the waves, 0 to 2; that of the contact if absent. Other
+            than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``. Outside that, for
+            a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a Newtonian one the
+            law of the two waves answers for S of 0.5 to 1.5 in the contacts of its fit, with an
+            error to match and without pressure (NaN); of line contacts the atlas alone answers.
+            Longitudinal waves stand still: the atlas of pure rolling answers. Starved contacts
+            roll; their law answers without phase and without pressure.
+        slide_to_roll_ratio : float, optional
+            In place of `slip_parameter`, S = 1 + ratio/2.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: the contact, the wave or the slip lies outside the atlas; nothing is
+            extrapolated.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...     radius_ratio_d=1)
+        >>> for angle in (0, 45, 90):
+        ...     print(angle, f"{abs(contact.response(0.5, angle_deg=angle).film):.2f}")
+        0 0.92
+        45 0.78
+        90 0.65
+        """
+        slip_parameter = slip_given(slip_parameter, slide_to_roll_ratio, "response")
+        wavelength_over_a = number(wavelength_over_a, "wavelength_over_a")
+        angle_deg = number(angle_deg, "angle_deg")
+        if not -1e-9 <= angle_deg <= 90 + 1e-9:
+            raise RangeError(
+                f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
+            )
+        if slip_parameter is None:
+            slip_parameter = self.conditions.slip_parameter
+        conditions = replace(self.conditions, slip_parameter=slip_parameter)
+        wave = wavelength_over_a, angle_deg
+        return response_of(conditions, *wave, self._chart, self._own_atlas())
+
+    def responses(
+        self,
+        wavelength_over_a: ArrayLike | None = None,
+        angle_deg: ArrayLike | None = None,
+        slip_parameter: float | None = None,
+        slide_to_roll_ratio: float | None = None,
+    ) -> xr.Dataset:
+        """Return the responses to every combination of wavelengths and angles, with their errors.
+
+        Parameters
+        ----------
+        wavelength_over_a : array_like, optional
+            As of :meth:`response`; 41 from 0.1 to 4 if absent.
+        angle_deg : array_like, optional
+            As of :meth:`response`; 0, 45 and 90 if absent.
+        slip_parameter, slide_to_roll_ratio : float, optional
+            As of :meth:`response`.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over ``wavelength`` and ``angle``: ``film_real``, ``film_imag``, ``film_amplitude``,
+            ``film_phase``, ``film_error``, ``pressure_real``, ``pressure_imag``, with units and
+            long names. ``is_inside`` is False where a wave lies outside the atlas, or the law of
+            starved contacts; there is NaN. Of starved contacts amplitude and error alone are known.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: the contact or the slip lies outside the atlas.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...     radius_ratio_d=1)
+        >>> found = contact.responses([0.5, 1, 9], angle_deg=[0, 90])
+        >>> found["film_amplitude"].values.round(2).tolist()
+        [[0.92, 0.65], [0.68, 0.39], [nan, nan]]
+        >>> found["is_inside"].values.all(axis=1).tolist()
+        [True, True, False]
+        """
+        waves, angles = wavelength_over_a, angle_deg
+        slip_parameter = slip_given(slip_parameter, slide_to_roll_ratio, "responses")
+        return response_table(self.response, self.conditions, waves, angles, slip_parameter)
+
+    def plot(
+        self,
+        wavelength_over_a: ArrayLike | None = None,
+        angle_deg: ArrayLike | None = None,
+        slip_parameter: float | None = None,
+        slide_to_roll_ratio: float | None = None,
+    ) -> Figure:
+        """Draw the responses against wavelength, a curve an angle; bands are errors.
+
+        Parameters
+        ----------
+        wavelength_over_a, angle_deg, slip_parameter, slide_to_roll_ratio
+            As of :meth:`responses`.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            A notebook shows it; ``savefig`` writes it.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...     radius_ratio_d=1)
+        >>> figure = contact.plot()
+        >>> [axes.get_ylabel() for axes in figure.axes][1]
+        'lag of the film [degrees]'
+        """
+        slip_parameter = slip_given(slip_parameter, slide_to_roll_ratio, "plot")
+        return responses_figure(self.responses(wavelength_over_a, angle_deg, slip_parameter))

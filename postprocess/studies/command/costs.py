@@ -1,0 +1,163 @@
+"""Studies of errors and costs, of this program and of others."""
+
+import argparse
+import os
+
+from studies.command import steps
+from studies.command.options import COUNT, flag, given, option, output, study
+
+
+@study(
+    "error-vs-time",
+    flag("--quick", "grids up to 96 x 96 cells with waves: minutes; otherwise up to 512 x 512"),
+    output("error-vs-time"),
+    option("--minutes", "MINUTES", "stop after so many minutes (default 45)", 45),
+    option("--program", "FILE", "an ehlwave-sweep to use, ehlwave-case beside it; default: built"),
+)
+def error_vs_time(options: argparse.Namespace) -> int:
+    """Draw errors against run times of methods, grids, time steps and tolerances.
+
+    Runs a table of contacts with them as a sweep on one core, and compares each with a finer
+    solution. Writes cases.h5, runs.csv, errors.csv, orders.csv, estimates.csv, models.csv and
+    figures. The coefficients in models.csv are those of src/case/accuracy_model.f90.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    quick = ("--quick",) if options.quick else ()
+    steps.prepare(options.program)
+    steps.python("error_time", "cases", options.output, *quick)
+    words = ("--time-limit", int(60 * options.minutes))
+    status = steps.sweep("--ranks=1", options.output / "cases.nml", *words, accepted=steps.ANY)
+    if status not in (*steps.CONVERGED_OR_NOT, steps.TO_BE_CONTINUED):
+        return 1
+    return steps.report("error_time", "report", options.output, *quick)
+
+
+@study(
+    "speed",
+    output("speed-table"),
+    option("--repeats", "N", "runs of each, of which the fastest counts (default 3)", 3),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def speed(options: argparse.Namespace) -> int:
+    """Measure what a steady state, a time step and a fine grid cost.
+
+    Runs M = 100, L = 12.05, D = 1 on one core with the methods newton and fas, one run after
+    another: the smooth steady state on 257 x 257 and 1025 x 1025 nodes and transverse waviness of
+    lambda = 0.5 a on 257 x 257, marched, small and periodic, with what is left of algebraic error.
+    Both steady states once more with the default, auto. Writes speed.csv.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare(options.program)
+    return steps.report("speed", "--output", options.output, "--repeats", options.repeats)
+
+
+@study(
+    "threads",
+    output("threads"),
+    option("--cells", "N", "along each side (default 1024)", 1024),
+    option("--threads", "N", "threads, and runs side by side (default: the cores)"),
+    option("--repeats", "N", "runs of each, of which the fastest counts (default 3)", 3),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def threads(options: argparse.Namespace) -> int:
+    """Compare one contact on several threads with as many runs side by side.
+
+    Runs M = 100, L = 12.05, D = 1, smooth and with the first 32 time steps of transverse waviness
+    of lambda = 0.5 a, by the method auto. Printed is the share of the throughput of the separate
+    runs that the threads reach. The first line is that of square roots, which need nothing of each
+    other: more than that the machine does not have. Writes threads.csv.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare(options.program)
+    return steps.report("threads", *given(options, "output", "cells", "threads", "repeats"))
+
+
+@study(
+    "heavy",
+    output("heavy"),
+    option(
+        "--largest", "N", "cells along X and Y, at most; 2048 takes minutes (default 1024)", 1024
+    ),
+    option("--method", "METHOD", "the key method of the cases (default auto)", "auto"),
+    flag("--responses", "with the linear response to transverse waves of 0.5 a"),
+    flag(
+        "--schemes", "error against work of both schemes of the Reynolds equation in place of those"
+    ),
+    flag("--refinement", "the best that local refinement could save, in place of those"),
+    option("--draw", "N", "so many random heavy contacts with accuracy = 0.01 in place of those"),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def heavy(options: argparse.Namespace) -> int:
+    """Measure what heavy loads and large grids cost.
+
+    Runs smooth contacts of M = 100, 1000 and 10,000, and the case of Venner and Lubrecht's book, on
+    256 x 256 cells and more, on one core. Prints method, tolerance, steps, counted work units and
+    memory. Writes heavy.csv.
+
+    --draw takes random contacts, M = 2000 to 10,000, L = 2.5 to 20, D = 0.04 to 1, every fourth
+    with D = 0.07, every third with the response to transverse waves of 0.5 to 2 a. Each is compared
+    with itself on twice the cells. Writes draw.csv.
+
+    --schemes takes M = 100 to 10,000, D = 1 and 0.07, smooth and with the response to transverse
+    waves of 0.5 and 2 a, on finer and finer grids of the schemes averaged and fitted, and says the
+    least work for 1 % of film and Ad/Ai. Ten minutes with --largest 2048. Writes schemes.csv and
+    work.csv.
+
+    --refinement takes M = 1000, 3000 and 10,000 on 512 x 512 cells, and says where the error of the
+    averaged scheme comes from and what composite grids could save. Writes refinement.csv.
+
+    Exit status: 0 done, of random contacts 95 % within 1 %; 1 failed; 2 bad usage.
+    """
+    steps.prepare(options.program)
+    given_words = given(options, "output", "method", "largest", "draw")
+    flags = ("responses", "schemes", "refinement")
+    flag_words = (f"--{name}" for name in flags if getattr(options, name))
+    return steps.report("heavy", *given_words, *flag_words)
+
+
+@study(
+    "peers",
+    output("peers"),
+    option("--fbns", "DIR", "a clone of github.com/ErikHansenGit/EHL; needs octave-cli"),
+    option("--slippy", "DIR", "an environment of Python, with bin/python, in which slippy runs"),
+    option("--book", "FILE", "Venner and Lubrecht's program, typed in: see above"),
+    option("--largest", "N", "cells along X and Y, at most (default 128)", 128),
+    option(
+        "--limit", "SECONDS", "a run of another solver is stopped after these; default 600", 600
+    ),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def peers(options: argparse.Namespace) -> int:
+    """Compare with public solvers: one contact, error against processor time.
+
+    Runs the smooth contact of Mourier and others (2006) by this program, by EHL-FBNS in GNU Octave
+    and by slippy, each on 32 x 32 cells and finer ones, on one core. A solver whose folder is not
+    given is skipped, which is said. Errors are those of the central film against the value of this
+    program for mesh size 0. Writes peers.csv and a figure. The column times is the time of another
+    solver over that of the cheapest run of this program on the whole domain with no larger error.
+
+    --book names a program that solves M = 20, L = 10, D = 1 with Barus' law and an incompressible
+    oil in (-4.5, 1.5) x (-3, 3) on as many cells along each side as its first argument says, with
+    as many relaxations on its coarsest grid as its second says (40 as printed, and 4), and prints
+    a line "film" with H(0,0) behind it.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare(options.program)
+    words = given(options, "output", "fbns", "slippy", "book", "largest", "limit")
+    return steps.report("peers", *words)
+
+
+@study("stress-speed", ("points", {"nargs": "?", "type": COUNT, "default": 1024}))
+def stress_speed(options: argparse.Namespace) -> int:
+    """Measure how long stresses below a surface take, on one core.
+
+    A map of POINTS x POINTS (default 1024) at 8 and at 32 depths, with friction, and a measured
+    trace; wall and processor time, and the largest memory of the process.
+    """
+    steps.find_python()
+    os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    return steps.report("stress_speed", options.points)

@@ -1,0 +1,87 @@
+"""Studies that fit the laws of the package to computed contacts, or judge them."""
+
+import argparse
+
+from studies.command import steps
+from studies.command.options import at_once, flag, given, option, output, study
+
+
+@study(
+    "starvation",
+    output("starvation"),
+    at_once(),
+    flag("--quick", "8 contacts, 192 cells: some minutes on two cores"),
+    option("--contacts", "COUNT", "contacts whose films are computed (default 30)"),
+    option("--cells", "N", "cells along X for waves; films have two thirds (default 384)"),
+)
+def starvation(options: argparse.Namespace) -> int:
+    """Fit laws of film and waves of contacts with too little oil.
+
+    Computes films of contacts over M, L and D with 0.2 to 5 times the oil that they pass flooded,
+    and linear responses of half as many. Fits R(r) and Ad/Ai(x, R), each contact held out in turn,
+    with intervals by drawing contacts again. Then rows of contacts on one track, each with the oil
+    that the one before left, against closed forms of overrollings and side flow. Writes films.h5,
+    waves.h5, laws.csv, overrollings.csv, tracks.csv and two figures. The coefficients in laws.csv
+    are those of ehlwave.starvation.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare()
+    folder = options.output
+    if options.quick:
+        options.contacts, options.cells = options.contacts or 8, options.cells or 192
+    options.contacts, options.cells = options.contacts or 30, options.cells or 384
+    steps.python("starvation", "cases", folder, *given(options, "contacts", "cells"))
+    for name in ("films", "waves"):
+        steps.sweep(folder / f"{name}.nml")
+    steps.python("starvation", "overrollings", folder, *given(options, "cells"))
+    return steps.report("starvation", "report", folder)
+
+
+@study(
+    "heat",
+    output("heat"),
+    at_once(),
+    option("--lines", "COUNT", "line contacts that are computed (default 400)", 400),
+    option("--points", "COUNT", "elliptical ones (default 160)", 160),
+    option(
+        "--cells", "N", "cells along each side of these (default 128), a quarter of lines'", 128
+    ),
+)
+def heat(options: argparse.Namespace) -> int:
+    """Fit laws of film and friction of contacts with heat.
+
+    Computes contacts drawn over pressure, speed, oil, bodies and slide-to-roll ratio, with and
+    without heat. Fits by how much the warm inlet thins the film, and friction over that of an even
+    film under Hertz pressure, contacts held out. Ten minutes on one core. Writes lines.h5,
+    points.h5, contacts.csv, laws.csv and a figure. The coefficients in laws.csv are those of
+    ehlwave.heat_laws.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare()
+    folder = options.output
+    steps.python("heat", "cases", folder, *given(options, "lines", "points", "cells"))
+    for name in ("lines", "points"):
+        steps.sweep(folder / f"{name}.nml")
+    return steps.report("heat", "report", folder)
+
+
+@study(
+    "thinning",
+    output("thinning"),
+    option("--contacts", "N", "how many are drawn (default 64)", 64),
+    option("--cells", "N", "along each side; lines have 8 times (default 128)", 128),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def thinning(options: argparse.Namespace) -> int:
+    """Compare films of oils that thin in the inlet with the bound of their loss.
+
+    Draws smooth contacts and lines that roll or slide in Ree-Eyring and Carreau oils, of a stress
+    that makes the bound of ehlwave.contact.thinning 1 to 15 %. Each is computed with its oil and
+    with a Newtonian one, one after another on one core. Writes thinning.csv.
+
+    Exit status: 0 no contact that is answered by the bound loses more; 1 otherwise; 2 bad usage.
+    """
+    steps.prepare(options.program)
+    return steps.report("thinning", *given(options, "output", "contacts", "cells"))
