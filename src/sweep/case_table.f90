@@ -1,7 +1,7 @@
 !> Reads a sweep file: its cases are the combinations of lists, or the rows of a CSV file.
 module ehlwave_case_table
    use ehlwave_case_input, only: case_input_t, read_keys
-   use ehlwave_case_key, only: most_keys
+   use ehlwave_case_key, only: is_same, most_keys
    use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_row, only: find_columns, set_row
    use ehlwave_csv, only: csv_t, read_csv
@@ -216,6 +216,8 @@ contains
             group = sweep_group
          else if (is_none(given%values(i), table%values(i))) then
             cycle
+         else if (.not. table%keys(i)%counts .and. is_same(given%values(i), table%values(i))) then
+            cycle                                      ! the default, which is in use all the same
          end if
          name = trim(table%keys(i)%name)
          call raise(error, file%place(group, name)//"key '"//name//"' in &"//group//': belongs to '// &

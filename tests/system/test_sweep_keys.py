@@ -98,6 +98,13 @@ class SweepKeys(FolderTest):
         # per grid: newton and two cycles of FAS; of each a smooth contact and two patterns
         self.assertIn("\n18 cases,", plan.stdout, plan.stderr)
 
+    def test_keys_that_count_in_some(self):
+        """Load steps belong to waves that move: of the others there is one case each."""
+        groups = {**SHARED, "sweep": {"orientation": ["none", "transverse", "longitudinal"], "load_factor": [1, 1.1]}}
+        self.assertIn("\n4 cases,", self.sweep(groups, "--plan").stdout)
+        groups["sweep"]["orientation"] = ["none", "longitudinal"]
+        self.assertIn("belongs to marches in time", self.refused(groups))
+
     def test_line_contacts_beside_others(self):
         self.write("cases.csv", "radius_ratio_d,cells_y,cells_x\n1,32,32\n0,32,64\n0,,64\n")
         groups = {**SHARED, "sweep": {"case_file": "cases.csv"}, "grid": {"y_max": 2.5}}
