@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ehlwave.keys import ContactKeys
+    from ehlwave.stress.loads import PoissonRatio
     from ehlwave.stress.rough import RoughStress
 
 
@@ -114,6 +115,7 @@ class Contact:
         self._charts: dict[float, Chart] = {}
         stress = keys.get("eyring_stress_pa")
         self._eyring_stress_pa = None if stress is None else number(stress, "eyring_stress_pa")
+        self._poisson_ratio: PoissonRatio | None = None
         self.heat = heat
         if heat is not None:
             check_heat(self.conditions, heat)
@@ -182,6 +184,7 @@ class Contact:
             heat = heat_of(oil, (body1, body2))
         contact = cls(atlas=atlas, heat=None if heat is False else heat, **found)
         contact.conditions = replace(contact.conditions, names=tuple(names))
+        contact._poisson_ratio = body1.poisson_ratio, body2.poisson_ratio  # type: ignore[assignment]
         return contact
 
     def __repr__(self) -> str:
@@ -568,7 +571,8 @@ class Contact:
             without, that one is smooth.
         **options
             ``friction``, ``cycles``, ``poisson_ratio``, ``depths_m`` and ``smooth`` of
-            :func:`ehlwave.stress.stress_of_contact`; those of :meth:`deform`.
+            :func:`ehlwave.stress.stress_of_contact`; those of :meth:`deform`. Without
+            ``poisson_ratio`` bodies of :meth:`from_bodies` have their own, others 0.3.
 
         Examples
         --------
@@ -585,6 +589,8 @@ class Contact:
         """
         from ehlwave.stress.contact_stress import stress_of_contact
 
+        if self._poisson_ratio is not None:
+            options.setdefault("poisson_ratio", self._poisson_ratio)
         return stress_of_contact(self, surface, second, **options)
 
     def lambda_ratio(
