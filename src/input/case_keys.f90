@@ -84,7 +84,8 @@ contains
          'differentiated by alpha and by the stress of the flow law', is_late=.true.))
       call list%see(case%mean_rise, key_t('mean_rise', 'whether a linear response finds to second order what waves '// &
          'do to the mean film, and the smallest film; .false. saves a third of its work, and does not tell whether '// &
-         'waves touch', is_late=.true., counts=case%responds(), is_effort=.true., when=linear))
+         'waves touch', is_late=.true., counts=case%responds() .and. .not. case%is_starved(), is_effort=.true., &
+         when=linear//' in flooded contacts'))
    end subroutine visit_case_keys
 
    subroutine visit_conditions(case, list)

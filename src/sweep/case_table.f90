@@ -148,7 +148,13 @@ contains
          is_used = is_used .or. input%is_given
       end do
       base%is_given(lists%keys) = .true.
-      call refuse_idle(file, base, table, lists%keys, is_used, error)
+      if (lists%has_f_v .and. .not. is_used(find_key(table%keys, 'wavelength_over_a'))) then
+         call raise(error, file%place(sweep_group, 'f_v')//"key 'f_v' in &"//sweep_group//': belongs to '// &
+                    trim(table%keys(find_key(table%keys, 'wavelength_over_a'))%when)//', which none of the cases '// &
+                    'has: remove it, or set what it belongs to')
+      else
+         call refuse_idle(file, base, table, lists%keys, is_used, error)
+      end if
    end subroutine add_product
 
    !> One case for each row of a CSV file; its columns take the place of what the groups of their keys give.

@@ -106,6 +106,7 @@ IDLE = [
     ({}, {"dynamics": SWINGS}, "&dynamics load_balance = 'equation_of_motion' belongs to marches in time"),
     ({**RIDGES, "response": "harmonic"}, {"dynamics": SWINGS}, "load_balance = 'equation_of_motion' belongs to"),
     ({"response": "harmonic"}, {}, "&waviness response = 'harmonic' belongs to waves"),
+    ({}, {"lubricant": {"viscosity_law": "barus", "roelands_index": 0.6}}, "roelands_index = 0.6 belongs to viscosity_law = 'roelands'"),
     ({"amplitude_over_film": 0.1}, {}, "&waviness amplitude_over_film = 0.1 belongs to waves"),
     (WAVES, {"waviness2": {"amplitude_over_film": 0.1}}, "amplitude_over_film_2 = 0.1 belongs to waves"),
     (WAVES, {"heat": {"levels": 8}}, "&heat levels = 8 belongs to &heat with the data of the oil"),

@@ -145,6 +145,7 @@ class SweepKeys(FolderTest):
                 ({"cells_x": [32, 33]}, "cells_x = 33"),
                 ({"load_n": [10, 20]}, "&conditions gives both"),
                 ({"f_v": 1, "wavelength_over_a": 1}, "give one of the two"),
+                ({"f_v": [1, 2], "orientation": "none"}, "sweep.nml:2: key 'f_v' in &sweep: belongs to orientation = 'transverse'"),
                 ({"step_tolerance": [1e-4 + 1e-8*k for k in range(2000)], "tolerance": [1e-6 + 1e-10*k for k in range(2000)]},
                  "have 4000000 combinations")]:
             with self.subTest(sweep=list(sweep)):

@@ -445,7 +445,7 @@ def draw(rng: np.random.Generator, known: Mapping[str, str], folder: Path) -> Ro
 
 
 def _without_idle(row: Row) -> Row:
-    """Return the row without what has no effect on it and is refused: loads over no time."""
+    """Return the row without what has no effect on it and is refused: loads over no time, z."""
     is_wavy, is_harmonic = "orientation" in row, row.get("response") == "harmonic"
     moves = (
         "file" in row or _varies_along(row, "", at_rest=0) or _varies_along(row, "_2", at_rest=2)
@@ -456,6 +456,8 @@ def _without_idle(row: Row) -> Row:
         idle += ("load_balance", "natural_frequency")
     if not marches and row.get("response", "transient") == "transient":
         idle += ("load_factor",)
+    if row.get("viscosity_law") in ("barus", "isoviscous"):
+        idle += ("roelands_index",)
     return {key: value for key, value in row.items() if key not in idle}
 
 
