@@ -71,7 +71,7 @@ contains
    end function value_text
 
    !> Whether two values of a key are the same.
-   pure logical function is_same(a, b)
+   elemental logical function is_same(a, b)
       type(key_value_t), intent(in) :: a, b
       is_same = abs(a%number - b%number) <= 0
       if (a%kind == word_kind) is_same = a%word == b%word

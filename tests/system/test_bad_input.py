@@ -160,7 +160,7 @@ class BadInput(FolderTest):
                 self.refuse(needle, "case.nml", "--output", "case.h5")
 
     def test_keys_without_effect(self):
-        """What is asked for is refused; settings are told, and have none."""
+        """Keys that ask for something are refused; settings are told."""
         for waviness, groups, needle in IDLE:
             with self.subTest(needle=needle):
                 self.write("case.nml", namelist({**GOOD, "waviness": waviness, **groups}))

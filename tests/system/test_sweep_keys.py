@@ -104,6 +104,13 @@ class SweepKeys(FolderTest):
         self.assertIn("\n4 cases,", self.sweep(groups, "--plan").stdout)
         groups["sweep"]["orientation"] = ["none", "longitudinal"]
         self.assertIn("belongs to marches in time", self.refused(groups))
+        groups["sweep"] = {"case_file": "cases.csv"}
+        for orientation, said in ("transverse", ""), ("longitudinal", "column 'load_factor': belongs to marches in time"):
+            self.write("cases.csv", f"orientation,load_factor\n{orientation},1\n{orientation},1.1\nlongitudinal,1\n")
+            if said:
+                self.assertIn(said, self.refused(groups))
+            else:
+                self.assertIn("\n3 cases,", self.sweep(groups, "--plan").stdout)
 
     def test_line_contacts_beside_others(self):
         self.write("cases.csv", "radius_ratio_d,cells_y,cells_x\n1,32,32\n0,32,64\n0,,64\n")
