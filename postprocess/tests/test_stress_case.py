@@ -189,3 +189,12 @@ def test_bad_input_of_the_command(tmp_path: Path, capsys: Capture) -> None:
     for path, part in ((text, "--conditions"), (tmp_path / "none.h5", "no such file")):
         assert main(["stress", str(path)]) == 2
         assert part in capsys.readouterr().err
+    case = str(case_file(tmp_path))
+    for words in (["--friction", "0.1"], ["--second", str(text)], ["--rolling-axis", "y"]):
+        assert main(["stress", case, *words]) == 2
+        assert f"{words[0]} is for a measured surface" in capsys.readouterr().err
+    assert main(["stress", case, "--cycles", "1e5"]) == 0
+    assert "not known, cycles have no effect: it needs fields over time" in capsys.readouterr().out
+    words = [f"{key}={value}" for key, value in KEYS.items()]
+    assert main(["stress", str(text), "--conditions", *words, "--body", "2"]) == 2
+    assert "--body is for a file of ehlwave-case" in capsys.readouterr().err

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from ehlwave import Contact
+from ehlwave import Body, Contact
 from ehlwave.deform import Surface, deform_surface, trace_surface
 from ehlwave.deform.ripple import stiffness_pa
 from ehlwave.deform.rough_pressure import ripple_of
@@ -117,6 +117,20 @@ def test_film_and_pressure_over_the_contact() -> None:
         assert float(centre["pressure_pa"]) == pytest.approx(pressure, rel=2e-3)
     assert float(fields["pressure_pa"].min()) == 0
     assert np.isnan(fields["film_m"].values[0, 0])
+
+
+def test_bodies_have_their_own_poisson_ratios() -> None:
+    ball, disc = Body.ball(25e-3, material="glass"), Body(material="steel")
+    keys = {"load_n": 60, "viscosity_pa_s": 0.05}
+    one = Contact.from_bodies(ball, disc, speeds_m_per_s=(0.5, 0.5), **keys)
+    depths = {"depths_m": [0, 5e-6, 3e-5], "form": "none", "ends": "none"}
+    own = one.stress(rough(), **depths)
+    assert own.poisson_ratio == (ball.poisson_ratio, disc.poisson_ratio)
+    for body, nu in zip(range(2), own.poisson_ratio, strict=True):
+        alone = one.stress(rough(), poisson_ratio=nu, **depths)
+        assert alone.poisson_ratio == nu
+        assert own.bodies[body].peaks == alone.bodies[body].peaks
+    assert own.bodies[0].peaks != own.bodies[1].peaks
 
 
 def test_in_rolling_both_bodies_bear_the_same() -> None:

@@ -140,6 +140,9 @@ def test_what_has_no_friction_over_slip_is_refused(tmp_path: Path) -> None:
     empty.write_text("&conditions radius_x_m = 0.01 /\n&heat /\n")
     with pytest.raises(ArgumentError, match="needs oil_conductivity_w_per_m_k"):
         read_keys(empty)
+    for key, value in {"load_factor": 1.2, "orientation": "transverse"}.items():
+        with pytest.raises(ArgumentError, match=f"{key}: &.* has no part in friction"):
+            traction(keys | {key: value}, [0.1, 0.2])
     with pytest.raises(ehlwave.ProgramError, match="unknown key"):
         traction({"colour": 1}, [0.1, 0.2])
 

@@ -97,7 +97,9 @@ def law(**keys: object) -> object:
 def stressed(**keys: object) -> object:
     x = np.arange(0, 4e-4, 4e-6)
     trace = ehlwave.deform.trace_surface(20e-9 * np.cos(2 * np.pi * x / 1e-4), step_m=4e-6)
-    return ehlwave.Contact(**DATA).stress(trace, **{"depths_m": [0, 2e-5, 4e-5]} | keys)
+    slip = {"slip_parameter": keys.pop("slip_parameter", 1.1), "eyring_stress_pa": 5e6}
+    contact = ehlwave.Contact(**DATA, **slip)
+    return contact.stress(trace, **{"depths_m": [0, 2e-5, 4e-5]} | keys)
 
 
 def rough(**keys: object) -> object:
@@ -176,6 +178,13 @@ WRONG = [
     value(stressed, "friction", float("nan"), "0.05", "not a finite number"),
     value(stressed, "poisson_ratio", -1, "0.3", "above -1 and at most 0.5"),
     Wrong(stressed, {"depths_m": [1, 50]}, "depths_m: 50 m", "did you mean 50e-6", {}),
+    Wrong(
+        stressed,
+        {"slip_parameter": 1.0, "friction": 0.05},
+        "friction = 0.05 in pure rolling",
+        "remove it",
+        {"slip_parameter": 1.0},
+    ),
     value(case, "reduced_modulus_pa", 220, "220e9"),
     Wrong(study, {"load_n": [20, 4e10]}, "load_n = 4e+10", "40000", {"load_n": [20, 40000]}),
     # outside the atlas, in the user's quantities
@@ -242,6 +251,22 @@ WRONG = [
         {"slide_to_roll_ratio": 0},
     ),
     Wrong(film, {"load_n_per_m": 1e5}, "load_n_per_m", "remove one", {}),
+    Wrong(
+        lines,
+        {"load_n": None, "load_n_per_m": 1e5},
+        "gives length_m and load_n_per_m",
+        "remove one",
+        {"load_n": None, "load_n_per_m": 1e5, "length_m": None},
+    ),
+    Wrong(moes, {"radius_x_m": 0.01}, "radius_x_m", "remove it", {}),
+    Wrong(rough, {"step_across": 4e-6}, "step_across=4e-06", "remove it", {}),
+    Wrong(
+        sheet,
+        {"pressure_viscosity_error": 0.1},
+        "pressure_viscosity_error",
+        "give both",
+        {"pressure_viscosity_error": 0.1, "pressure_viscosity_per_pa": 2e-8},
+    ),
     Wrong(lines, {"length_m": None}, "length_m is missing", "length_m=0.01", {"length_m": 0.01}),
     Wrong(balls, {"length_m": 0.01}, "length_m", "give load_n alone", {}),
     Wrong(balls, {"radius_x_m": 0.01}, "radius_x_m follows from the bodies", "remove it", {}),

@@ -66,7 +66,7 @@ contains
          else if (case%is_starved() .or. case%oil_profile /= '') then
             call raise(error, '&heat takes a gap that is full of oil: remove &inlet oil_over_flooded, oil_layer_m '// &
                'and oil_profile, or &heat')
-         else if (heat%follows_waves() .and. .not. are_marched(case)) then
+         else if (heat%follows_waves() .and. .not. (case%is_wavy() .and. case%moves() .and. case%marches())) then
             call raise(error, "&heat wave_temperatures = 'carried' is for waves that move in time: give &waviness "// &
                "transverse, isotropic or custom waves with response = 'transient' or 'both', or remove it")
          else if (case%method == 'fas') then
@@ -76,14 +76,6 @@ contains
          end if
       end associate
    end subroutine check_heat
-
-   !> Whether waves are marched in time; longitudinal ones stand still.
-   pure logical function are_marched(case)
-      type(case_t), intent(in) :: case
-      are_marched = case%is_wavy() .and. case%orientation /= 'longitudinal' .and. &
-                    any(case%response == ['transient', 'both     '])
-      if (case%orientation == 'custom') are_marched = are_marched .and. case%wavelength_x_over_a > 0
-   end function are_marched
 
    !> Whether the viscosity of an oil was measured at one temperature alone.
    pure logical function has_one_temperature(oil)

@@ -80,11 +80,11 @@ contains
 
       plan%is_by_multigrid = case%method == 'fas'
       plan%is_periodic = plan%surfaces%moves() .and. case%response == 'periodic'
-      plan%responds = plan%surfaces%is_rough() .and. (case%response == 'harmonic' .or. case%response == 'both')
+      plan%responds = case%responds()
       if (plan%responds .and. case%response == 'harmonic') then
          plan%kind = run_harmonic
          if (case%time_step_over_cell > 0) plan%steps_per_cell = nint(1/min(1.0_dp, case%time_step_over_cell))
-      else if (plan%surfaces%moves() .or. case%end_time > 0) then
+      else if (case%marches()) then
          call plan_march(case, plan, error)
       else if (plan%surfaces%is_rough()) then
          plan%kind = run_standing

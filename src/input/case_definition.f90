@@ -23,6 +23,7 @@ module ehlwave_case_definition
    contains
       procedure :: is_wavy
       procedure :: is_measured
+      procedure :: varies_along
    end type roughness_t
 
    !> All keys, in the order of the groups. The roughness is that of the first surface, &waviness and &surface.
@@ -64,6 +65,7 @@ module ehlwave_case_definition
       integer :: settling_periods = 1
       character(len=name_length) :: method = 'auto'      !! completed to that in use
       logical :: has_free_tolerance = .false.            !! no key: none was given for steady states
+      character(len=:), allocatable :: idle              !! no key: those that are given and have no effect, for people
       character(len=name_length) :: cycle = ''           !! of method = 'fas', completed
       character(len=name_length) :: deformation = 'auto'
       character(len=name_length) :: scheme = 'auto'               !! of the Reynolds equation
@@ -83,7 +85,11 @@ module ehlwave_case_definition
       logical :: mean_rise = .true.
    contains
       procedure :: is_pair
+      procedure :: is_rough
       procedure :: has_ratio
+      procedure :: moves
+      procedure :: marches
+      procedure :: responds
       procedure :: is_starved
    end type case_t
 
@@ -104,11 +110,43 @@ contains
       is_measured = self%surface_file /= ''
    end function is_measured
 
+   !> Whether it varies along X.
+   elemental logical function varies_along(self)
+      class(roughness_t), intent(in) :: self
+      varies_along = self%is_measured() .or. (self%is_wavy() .and. self%orientation /= 'longitudinal')
+      if (self%orientation == 'custom') varies_along = self%wavelength_x_over_a > 0
+   end function varies_along
+
    !> Whether the second surface is rough, too.
    elemental logical function is_pair(self)
       class(case_t), intent(in) :: self
       is_pair = self%second%is_wavy() .or. self%second%is_measured()
    end function is_pair
+
+   !> Whether a surface is rough.
+   elemental logical function is_rough(self)
+      class(case_t), intent(in) :: self
+      is_rough = self%is_wavy() .or. self%is_measured() .or. self%is_pair()
+   end function is_rough
+
+   !> Whether the gap changes in time: a pattern varies along X and its surface moves.
+   elemental logical function moves(self)
+      class(case_t), intent(in) :: self
+      moves = (self%varies_along() .and. self%slip_parameter > 0) .or. &
+              (self%second%varies_along() .and. self%slip_parameter < 2)
+   end function moves
+
+   !> Whether there are time steps. Known when the slip is.
+   elemental logical function marches(self)
+      class(case_t), intent(in) :: self
+      marches = (self%moves() .or. self%end_time > 0) .and. .not. (self%is_rough() .and. self%response == 'harmonic')
+   end function marches
+
+   !> Whether the linear response is computed.
+   elemental logical function responds(self)
+      class(case_t), intent(in) :: self
+      responds = self%is_rough() .and. (self%response == 'harmonic' .or. self%response == 'both')
+   end function responds
 
    !> Whether the result is about waves, Ad/Ai; else it is about the film.
    elemental logical function has_ratio(self)

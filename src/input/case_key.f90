@@ -22,6 +22,9 @@ module ehlwave_case_key
       logical :: is_required = .false.               !! has no default
       character(len=64) :: default = ''              !! what the reference says where the default is not a value
       logical :: applies = .true.                    !! to the case at hand: refused where it is given and does not
+      logical :: counts = .true.                     !! for the case at hand: refused where it is given with another
+                                                     !! value than its default and does not; written all the same
+      logical :: is_effort = .false.                 !! about how, not about what is asked: told in place of refused
       character(len=160) :: when = ''                !! the same for people: 'belongs to ...'
       logical :: is_written = .true.                 !! in the effective input of the case at hand, if it applies
       logical :: is_late = .false.                   !! added after stores were made: written where it is not the
@@ -68,7 +71,7 @@ contains
    end function value_text
 
    !> Whether two values of a key are the same.
-   pure logical function is_same(a, b)
+   elemental logical function is_same(a, b)
       type(key_value_t), intent(in) :: a, b
       is_same = abs(a%number - b%number) <= 0
       if (a%kind == word_kind) is_same = a%word == b%word

@@ -19,6 +19,8 @@ module ehlwave_case_keys
    public :: case_key_list, case_values, take_values
 
    character(len=*), parameter :: elliptical = 'elliptical contacts (radius_ratio_d above 0), not to line contacts'
+   character(len=*), parameter :: time_steps = 'marches in time (waves or a surface that move, or &dynamics end_time)'
+   character(len=*), parameter :: linear = "response = 'harmonic' or 'both' of waves"
 
 contains
 
@@ -63,7 +65,7 @@ contains
          "'periodic': the periodic state of these waves, by a march from their linear response; where that does "// &
          "not find it, from the smooth contact, "// &
          "'harmonic': the linear response to small waves, without time steps, 'both': march and response", &
-         choices='transient periodic harmonic both'))
+         choices='transient periodic harmonic both', counts=case%is_rough(), when='waves (orientation)'))
       call visit_surface(case%roughness_t, '', list)
       call visit_waviness(case%second, '2', list)
       call visit_surface(case%second, '2', list)
@@ -82,7 +84,8 @@ contains
          'differentiated by alpha and by the stress of the flow law', is_late=.true.))
       call list%see(case%mean_rise, key_t('mean_rise', 'whether a linear response finds to second order what waves '// &
          'do to the mean film, and the smallest film; .false. saves a third of its work, and does not tell whether '// &
-         'waves touch', is_late=.true.))
+         'waves touch', is_late=.true., counts=case%responds() .and. .not. case%is_starved(), is_effort=.true., &
+         when=linear//' in flooded contacts'))
    end subroutine visit_case_keys
 
    subroutine visit_conditions(case, list)
@@ -166,7 +169,9 @@ contains
       call list%see(case%cells_y, key_t('cells_y', 'cells along Y over the whole domain; as cells_x', minimum=0.0_dp, &
          maximum=8192.0_dp, applies=is_elliptical, when=elliptical))
       call list%see(case%largest_cells, key_t('largest_cells', 'limit of what is chosen', minimum=64.0_dp, &
-         maximum=8192.0_dp, default='1024; of line contacts 8192', is_written=min(case%cells_x, case%cells_y) == 0))
+         maximum=8192.0_dp, default='1024; of line contacts 8192', is_written=min(case%cells_x, case%cells_y) == 0, &
+         counts=min(case%cells_x, case%cells_y) == 0 .or. case%accuracy > 0, is_effort=.true., &
+         when='cells_x or cells_y = 0, or accuracy'))
       call list%see(case%domain, key_t('domain', "computed domain; 'auto': half of it where the case is even in Y, "// &
          "'whole': "//'always all of it', choices='auto whole', applies=is_elliptical, when=elliptical))
       call list%see(case%edges, key_t('edges', "pressure at the edges of the domain; 'flooded': that of the oil "// &
@@ -185,16 +190,21 @@ contains
          'of the mesh; the error that it leaves in the film stays far below that one', minimum=1e-12_dp, &
          maximum=0.1_dp))
       call list%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; '// &
-         'reduced in proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp))
+         'reduced in proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp, counts=case%marches(), &
+         is_effort=.true., when=time_steps))
       call list%see(case%response_tolerance, key_t('response_tolerance', 'tolerance of the linear response: its '// &
-         'residual', minimum=1e-12_dp, maximum=0.1_dp, is_late=.true.))
+         'residual', minimum=1e-12_dp, maximum=0.1_dp, is_late=.true., counts=case%responds(), is_effort=.true., &
+         when=linear))
       call list%see(case%time_step_over_cell, key_t('time_step_over_cell', 'time step dT/hX; a whole number or one '// &
-         'over a whole number; below 1 only adds samples between the steps of dT = hX', above=0.0_dp))
+         'over a whole number; below 1 only adds samples between the steps of dT = hX', above=0.0_dp, &
+         is_effort=.true., when=time_steps//', and responses with an equation of motion', counts=case%marches() .or. &
+         (case%responds() .and. case%moves() .and. case%load_balance == 'equation_of_motion')))
       call list%see(case%largest_steps, key_t('largest_steps', 'largest number of Newton steps, or multigrid '// &
          'cycles, of a solution', minimum=1.0_dp, maximum=10000.0_dp))
       call list%see(case%settling_periods, key_t('settling_periods', 'periods to wait before the amplitude is '// &
          'measured; once the pattern has reached the outlet end, and a change of the layer or a load step has passed', &
-         minimum=0.0_dp, maximum=1000.0_dp))
+         minimum=0.0_dp, maximum=1000.0_dp, is_effort=.true., when='marches of waves without end_time', &
+         counts=case%marches() .and. case%has_ratio() .and. .not. case%end_time > 0))
       call list%see(case%largest_total_steps, key_t('largest_total_steps', 'largest number of Newton steps of a '// &
          'case on the '// &
          'finest grid; steps of rescues count; 0: 600, and 40 more for each time step or 300 for each phase of a '// &
@@ -219,7 +229,8 @@ contains
       call list%see(case%error_estimate, key_t('error_estimate', "estimate of the error of Ad/Ai; 'coarse_grid': "// &
          "from the "// &
          "same case on 2 and 4 times the mesh size (5 to 15 % of the time), 'model': the error that the plan expects", &
-         choices='coarse_grid model'))
+         choices='coarse_grid model', counts=case%has_ratio() .and. case%response /= 'harmonic', is_effort=.true., &
+         when="waves without response = 'harmonic'"))
       call list%see(case%accuracy, key_t('accuracy', 'relative error wanted in Ad/Ai, of smooth contacts in '// &
          'H(0,0); e.g. 0.01: chooses cells, time step and tolerances that are not given', above=0.0_dp, maximum=0.2_dp))
       call list%see(case%threads, key_t('threads', 'threads that share one case; no result depends on them; 0: '// &
@@ -233,11 +244,13 @@ contains
 
       call list%enter('dynamics', 'Load and mutual approach in time.')
       call list%see(case%load_balance, key_t('load_balance', 'what moves the mutual approach', &
-         choices='force_balance equation_of_motion'))
+         choices='force_balance equation_of_motion', counts=case%marches() .or. (case%responds() .and. case%moves()), &
+         when=time_steps//', and responses to waves that move'))
       call list%see(case%natural_frequency, key_t('natural_frequency', 'dimensionless natural frequency Omega', &
          above=0.0_dp, applies=case%load_balance == 'equation_of_motion', when="load_balance = 'equation_of_motion'"))
       call list%see(case%load_factor, key_t('load_factor', 'load from T = 0 on over that of the steady state; a '// &
-         'load step', above=0.0_dp))
+         'load step', above=0.0_dp, counts=case%marches() .or. (case%is_rough() .and. case%response /= 'transient'), &
+         when=time_steps))
       call list%see(case%end_time, key_t('end_time', 'T to which is marched; none: until the amplitude is measured', &
          above=0.0_dp))
    end subroutine visit_dynamics

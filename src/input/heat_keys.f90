@@ -29,6 +29,8 @@ contains
       call list%see(heat%viscosity_temperature_per_k, key_t('viscosity_temperature_per_k', 'beta; -d ln(eta)/dT at '// &
          'ambient pressure and T0, of laws without parameters of their own for temperature', unit='1/K', &
          minimum=0.0_dp, maximum=1.0_dp))
+      list%common%applies = heat%is_given()
+      list%common%when = '&heat with the data of the oil (oil_conductivity_w_per_m_k, ...)'
       call visit_body('body', heat%body(1), ' of the bodies', list)
       call visit_body('body2', heat%body(2), ' of the body of surface 2', list)
       call list%see(heat%levels, key_t('levels', 'intervals across the film', minimum=4.0_dp, &

@@ -2,7 +2,7 @@
 module ehlwave_key_applicability
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: case_input_t
-   use ehlwave_case_key, only: value_text
+   use ehlwave_case_key, only: is_same, value_text
    use ehlwave_case_keys, only: case_key_list, case_values
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: bounds_text, is_allowed, is_none
@@ -13,36 +13,50 @@ module ehlwave_key_applicability
 
 contains
 
-   !> Refuse a key that is given, says something and does not apply; one that may idle gets its default instead and
-   !> counts as not given. Call it when radius_ratio_d is known.
+   !> Refuse a key that is given, says something and does not apply, or does not count with another value than its
+   !> default; one that may idle gets its default instead and counts as not given. One that is about how the case is
+   !> solved is noted in place of it. Call it when radius_ratio_d and the slip are known.
    subroutine check_applicability(input, error)
       type(case_input_t), intent(inout) :: input
       type(error_t), allocatable, intent(inout) :: error
       type(key_list_t) :: given
       given = case_key_list(input%case)
-      if (any(input%is_given(:given%count) .and. .not. given%keys(:given%count)%applies)) call drop_idle(input, given, &
-         error)
+      associate (keys => given%keys(:given%count))
+         if (any(input%is_given(:given%count) .and. .not. (keys%applies .and. keys%counts))) &
+            call drop_idle(input, given, error)
+      end associate
    end subroutine check_applicability
 
-   !> The same where there is such a key.
+   !> The same where there may be such a key.
    subroutine drop_idle(input, given, error)
       type(case_input_t), intent(inout) :: input
       type(key_list_t), intent(in) :: given        !! of the case
       type(error_t), allocatable, intent(inout) :: error
       type(key_list_t) :: defaults
+      character(len=:), allocatable :: idle
       integer :: k
 
       defaults = case_values()
+      idle = ''
       do k = 1, given%count
-         if (given%keys(k)%applies .or. .not. input%is_given(k)) cycle
-         if (.not. (input%may_idle(k) .or. is_none(given%values(k), defaults%values(k)))) then
-            call raise(error, shown_key(given, k)//' belongs to '//trim(given%keys(k)%when)// &
-               ': remove it, or set what it belongs to')
-            return
-         end if
-         call input%set([k], [defaults%values(k)])
-         input%is_given(k) = .false.
+         associate (key => given%keys(k), value => given%values(k), default => defaults%values(k))
+            if (key%applies .and. key%counts .or. .not. input%is_given(k)) cycle
+            if (key%applies .and. key%is_effort) then
+               if (.not. (input%may_idle(k) .or. is_same(value, default))) &
+                  idle = idle//'; '//shown_key(given, k)//' belongs to '//trim(key%when)
+               cycle
+            end if
+            if (.not. (input%may_idle(k) .or. is_none(value, default) .or. &
+                       (key%applies .and. is_same(value, default)))) then
+               call raise(error, shown_key(given, k)//' belongs to '//trim(key%when)// &
+                  ': remove it, or set what it belongs to')
+               return
+            end if
+            call input%set([k], [default])
+            input%is_given(k) = .false.
+         end associate
       end do
+      if (idle /= '') input%case%idle = idle(3:)
    end subroutine drop_idle
 
    !> Refuse a case where a key of a group applies and has no value that it may have.

@@ -94,6 +94,8 @@ contains
          new%group = self%group
          new%group_help = self%group_help
          new%applies = key%applies .and. common%applies
+         new%counts = key%counts .and. common%counts
+         new%is_effort = key%is_effort .or. common%is_effort
          if (key%when == '') new%when = common%when
          new%is_written = key%is_written .and. common%is_written
          new%is_late = key%is_late .or. common%is_late

@@ -26,7 +26,8 @@ contains
          applies=oil%takes_alpha(), &
          when=alpha_laws//' (the others have alpha from their parameters: the film-forming coefficient)'))
       call list%see(oil%roelands%index, key_t('roelands_index', "index z of Roelands' viscosity", above=0.0_dp, &
-         maximum=2.0_dp, applies=oil%takes_alpha(), when=alpha_laws))
+         maximum=2.0_dp, applies=oil%takes_alpha(), counts=oil%viscosity_law == roelands, &
+         when="viscosity_law = '"//roelands//"'"))
       call list%see(oil%viscosity_law, key_t('viscosity_law', 'viscosity against pressure', choices=viscosity_laws))
       call list%see(oil%density_law, key_t('density_law', 'density against pressure', choices=density_laws))
       call visit_flow_law(oil, list)

@@ -46,7 +46,8 @@ contains
       list%common%when = ''
       list%common%is_written = waves%is_wavy()
       call see('amplitude_over_film', 'amplitude Ai over the smooth central film thickness', &
-               waves%amplitude_over_film, key_t(above=0.0_dp, maximum=1.0_dp))
+               waves%amplitude_over_film, key_t(above=0.0_dp, maximum=1.0_dp, counts=waves%is_wavy(), &
+                                                when='waves ('//orientation//')'))
 
    contains
 

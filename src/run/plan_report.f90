@@ -45,6 +45,8 @@ contains
          end if
          write (unit, '(a)') 'Lubricant    '//trim(case%oil%viscosity_law)//', '//trim(case%oil%density_law)//', '// &
             trim(case%oil%flow_law)//', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
+         if (.not. c%l > 0) write (unit, '(a)') '             L = 0: viscosity and density are constant, whatever '// &
+            'their laws'
          if (extrapolation_text(case, plan%rheology, 1.0_dp) /= '') write (unit, '(a)') '             WARNING: '// &
             extrapolation_text(case, plan%rheology, 1.0_dp)
          if (plan%inlet%is_short()) write (unit, '(a)') 'Inlet        starved: '//inlet_text(case, plan)
@@ -56,6 +58,7 @@ contains
             '(amplitude_over_film) below '//linear_limit_text(case)//', or compare by response = ''both'''
          write (unit, '(a)') 'Run          '//run_text(case, plan)
          write (unit, '(a)') 'Solver       '//solver_text(case)
+         if (allocated(case%idle)) write (unit, '(a)') 'No effect    '//case%idle
          write (unit, '(a)') 'Domain       '//to_text(plan%x_min, 4)//' <= X <= '//to_text(plan%x_max, 4)// &
             width_text(plan)
          write (unit, '(a)') '             edges '//edges_text(case, plan)

@@ -1,8 +1,8 @@
 !> Reads a sweep file: its cases are the combinations of lists, or the rows of a CSV file.
 module ehlwave_case_table
    use ehlwave_case_input, only: case_input_t, read_keys
-   use ehlwave_case_key, only: most_keys
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_key, only: is_same, most_keys
+   use ehlwave_case_keys, only: case_key_list, case_values
    use ehlwave_case_row, only: find_columns, set_row
    use ehlwave_csv, only: csv_t, read_csv
    use ehlwave_errors, only: error_t, raise
@@ -148,7 +148,13 @@ contains
          is_used = is_used .or. input%is_given
       end do
       base%is_given(lists%keys) = .true.
-      call refuse_idle(file, base, table, lists%keys, is_used, error)
+      if (lists%has_f_v .and. .not. is_used(find_key(table%keys, 'wavelength_over_a'))) then
+         call raise(error, file%place(sweep_group, 'f_v')//"key 'f_v' in &"//sweep_group//': belongs to '// &
+                    trim(table%keys(find_key(table%keys, 'wavelength_over_a'))%when)//', which none of the cases '// &
+                    'has: remove it, or set what it belongs to')
+      else
+         call refuse_idle(file, base, table, lists%keys, is_used, error)
+      end if
    end subroutine add_product
 
    !> One case for each row of a CSV file; its columns take the place of what the groups of their keys give.
@@ -161,19 +167,25 @@ contains
       type(sweep_t), intent(inout) :: sweep
       type(error_t), allocatable, intent(inout) :: error
       type(case_input_t) :: input
-      logical :: is_used(most_keys)
+      type(key_list_t) :: given
+      logical :: is_said(most_keys), is_used(most_keys)   ! a value other than the default
       integer :: row
 
       call sweep%vary(pack(columns, columns > 0), any(columns == 0))
       call note_replaced(file, base, table, sweep)
+      is_said = .false.
       is_used = .false.
       do row = 1, size(rows%line)
          input = base
          call set_row(rows, row, table, columns, input, error)
+         given = case_values(input%case)
+         is_said(:table%count) = is_said(:table%count) .or. &
+                                 .not. is_same(given%values(:table%count), table%values(:table%count))
          call sweep%add(input, table, rows%path//':'//to_text(rows%line(row))//': ', error)
          if (allocated(error)) return
          is_used = is_used .or. input%is_given
       end do
+      call refuse_idle_column(rows, table, pack(columns, columns > 0), is_said .and. .not. is_used, error)
       is_used(pack(columns, columns > 0)) = .true.
       call refuse_idle(file, base, table, [integer ::], is_used, error)
    end subroutine add_rows
@@ -196,6 +208,25 @@ contains
       end do
    end subroutine note_replaced
 
+   !> Refuse a column whose values count in none of the rows.
+   subroutine refuse_idle_column(rows, table, columns, is_idle, error)
+      type(csv_t), intent(in) :: rows
+      type(key_list_t), intent(in) :: table            !! with the defaults
+      integer, intent(in) :: columns(:)                !! numbers of their keys
+      logical, intent(in) :: is_idle(:)                !! by number of the key
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+
+      do i = 1, size(columns)
+         associate (key => table%keys(columns(i)))
+            if (key%counts .or. key%is_effort .or. .not. is_idle(columns(i))) cycle
+            call raise(error, rows%path//": column '"//trim(key%name)//"': belongs to "//trim(key%when)// &
+                       ', which none of the rows has: remove it, or set what it belongs to')
+            return
+         end associate
+      end do
+   end subroutine refuse_idle_column
+
    !> Refuse a key that is given, says something and applies to none of the cases.
    subroutine refuse_idle(file, base, table, listed, is_used, error)
       type(namelist_t), intent(in) :: file
@@ -216,6 +247,8 @@ contains
             group = sweep_group
          else if (is_none(given%values(i), table%values(i))) then
             cycle
+         else if (.not. table%keys(i)%counts .and. is_same(given%values(i), table%values(i))) then
+            cycle                                      ! the default, which is in use all the same
          end if
          name = trim(table%keys(i)%name)
          call raise(error, file%place(group, name)//"key '"//name//"' in &"//group//': belongs to '// &

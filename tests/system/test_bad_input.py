@@ -98,6 +98,31 @@ PAIRS = [
 ]
 
 
+# waviness, groups, needle: what would have no effect
+SWINGS = {"load_balance": "equation_of_motion", "natural_frequency": 4}
+IDLE = [
+    ({}, {"dynamics": {"load_factor": 1.2}}, "&dynamics load_factor = 1.2 belongs to marches in time"),
+    (RIDGES, {"dynamics": {"load_factor": 1.2}}, "&dynamics load_factor = 1.2 belongs to marches in time"),
+    ({}, {"dynamics": SWINGS}, "&dynamics load_balance = 'equation_of_motion' belongs to marches in time"),
+    ({**RIDGES, "response": "harmonic"}, {"dynamics": SWINGS}, "load_balance = 'equation_of_motion' belongs to"),
+    ({"response": "harmonic"}, {}, "&waviness response = 'harmonic' belongs to waves"),
+    ({}, {"lubricant": {"viscosity_law": "barus", "roelands_index": 0.6}}, "roelands_index = 0.6 belongs to viscosity_law = 'roelands'"),
+    ({"amplitude_over_film": 0.1}, {}, "&waviness amplitude_over_film = 0.1 belongs to waves"),
+    (WAVES, {"waviness2": {"amplitude_over_film": 0.1}}, "amplitude_over_film_2 = 0.1 belongs to waves"),
+    (WAVES, {"heat": {"levels": 8}}, "&heat levels = 8 belongs to &heat with the data of the oil"),
+    (WAVES, {"heat": {"body_conductivity_w_per_m_k": 21}}, "body_conductivity_w_per_m_k = 21 belongs to &heat with the data"),
+]
+
+# waviness, settings of the solution that have no effect
+SETTINGS = [
+    ({}, {"step_tolerance": 1e-3, "settling_periods": 2, "time_step_over_cell": 0.5, "response_tolerance": 1e-4,
+          "error_estimate": "model"}),
+    (RIDGES, {"step_tolerance": 1e-3, "settling_periods": 2, "time_step_over_cell": 0.5}),
+    ({**WAVES, "response": "harmonic"}, {"step_tolerance": 1e-3, "settling_periods": 2, "time_step_over_cell": 0.5, "error_estimate": "model"}),
+    (WAVES, {"response_tolerance": 1e-4}),
+]
+
+
 class BadInput(FolderTest):
     def write(self, name, content):
         mode = "wb" if isinstance(content, bytes) else "w"
@@ -133,6 +158,21 @@ class BadInput(FolderTest):
                     text = text.replace(f"{key} = '{value}'", f"{key} = {value}")
                 self.write("case.nml", text)
                 self.refuse(needle, "case.nml", "--output", "case.h5")
+
+    def test_keys_without_effect(self):
+        """Keys that ask for something are refused; settings are told."""
+        for waviness, groups, needle in IDLE:
+            with self.subTest(needle=needle):
+                self.write("case.nml", namelist({**GOOD, "waviness": waviness, **groups}))
+                self.refuse(needle, "case.nml")
+        for waviness, settings in SETTINGS:
+            plans = []
+            for solver in {}, settings:
+                self.write("case.nml", namelist({**GOOD, "waviness": waviness, "solver": solver}))
+                plans.append(run("case", "case.nml", "--plan", "--json", folder=self.folder).stdout)
+            self.assertNotIn("No effect", plans[0])
+            told = next(line for line in plans[1].split("\n") if line.startswith("No effect"))
+            self.assertEqual([key for key in settings if f"&solver {key} = " not in told], [])
 
     def test_fitted_scheme(self):
         """It is written for flooded contacts."""

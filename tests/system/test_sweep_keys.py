@@ -98,6 +98,20 @@ class SweepKeys(FolderTest):
         # per grid: newton and two cycles of FAS; of each a smooth contact and two patterns
         self.assertIn("\n18 cases,", plan.stdout, plan.stderr)
 
+    def test_keys_that_count_in_some(self):
+        """Load steps belong to waves that move: of the others there is one case each."""
+        groups = {**SHARED, "sweep": {"orientation": ["none", "transverse", "longitudinal"], "load_factor": [1, 1.1]}}
+        self.assertIn("\n4 cases,", self.sweep(groups, "--plan").stdout)
+        groups["sweep"]["orientation"] = ["none", "longitudinal"]
+        self.assertIn("belongs to marches in time", self.refused(groups))
+        groups["sweep"] = {"case_file": "cases.csv"}
+        for orientation, said in ("transverse", ""), ("longitudinal", "column 'load_factor': belongs to marches in time"):
+            self.write("cases.csv", f"orientation,load_factor\n{orientation},1\n{orientation},1.1\nlongitudinal,1\n")
+            if said:
+                self.assertIn(said, self.refused(groups))
+            else:
+                self.assertIn("\n3 cases,", self.sweep(groups, "--plan").stdout)
+
     def test_line_contacts_beside_others(self):
         self.write("cases.csv", "radius_ratio_d,cells_y,cells_x\n1,32,32\n0,32,64\n0,,64\n")
         groups = {**SHARED, "sweep": {"case_file": "cases.csv"}, "grid": {"y_max": 2.5}}
@@ -138,6 +152,7 @@ class SweepKeys(FolderTest):
                 ({"cells_x": [32, 33]}, "cells_x = 33"),
                 ({"load_n": [10, 20]}, "&conditions gives both"),
                 ({"f_v": 1, "wavelength_over_a": 1}, "give one of the two"),
+                ({"f_v": [1, 2], "orientation": "none"}, "sweep.nml:2: key 'f_v' in &sweep: belongs to orientation = 'transverse'"),
                 ({"step_tolerance": [1e-4 + 1e-8*k for k in range(2000)], "tolerance": [1e-6 + 1e-10*k for k in range(2000)]},
                  "have 4000000 combinations")]:
             with self.subTest(sweep=list(sweep)):

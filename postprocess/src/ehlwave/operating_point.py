@@ -242,7 +242,8 @@ class Contact(WavyContact):
             without, that one is smooth.
         **options
             ``friction``, ``cycles``, ``poisson_ratio``, ``depths_m`` and ``smooth`` of
-            :func:`ehlwave.stress.stress_of_contact`; those of :meth:`deform`.
+            :func:`ehlwave.stress.stress_of_contact`; those of :meth:`deform`. Without
+            ``poisson_ratio`` bodies of :meth:`from_bodies` have their own, others 0.3.
 
         Examples
         --------
@@ -259,6 +260,8 @@ class Contact(WavyContact):
         """
         from ehlwave.stress.contact_stress import stress_of_contact
 
+        if self._poisson_ratio is not None:
+            options.setdefault("poisson_ratio", self._poisson_ratio)
         return stress_of_contact(self, surface, second, **options)
 
     def lambda_ratio(

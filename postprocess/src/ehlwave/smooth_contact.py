@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
 
     from ehlwave.keys import ContactKeys
+    from ehlwave.stress.loads import PoissonRatio
 
 
 class SmoothContact:
@@ -45,6 +46,7 @@ class SmoothContact:
         self._charts: dict[float, Chart] = {}
         stress = keys.get("eyring_stress_pa")
         self._eyring_stress_pa = None if stress is None else number(stress, "eyring_stress_pa")
+        self._poisson_ratio: PoissonRatio | None = None
         self.heat = heat
         if heat is not None:
             check_heat(self.conditions, heat)
@@ -113,6 +115,7 @@ class SmoothContact:
             heat = heat_of(oil, (body1, body2))
         contact = cls(atlas=atlas, heat=None if heat is False else heat, **found)
         contact.conditions = replace(contact.conditions, names=tuple(names))
+        contact._poisson_ratio = body1.poisson_ratio, body2.poisson_ratio  # type: ignore[assignment]
         return contact
 
     def __repr__(self) -> str:

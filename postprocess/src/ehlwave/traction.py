@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from ehlwave.progress import Following
 
 LIMIT, LIMIT_WIDTH = "shear_limit_over_pressure", "shear_limit_width"
+UNUSED = ("waviness", "waviness2", "surface", "surface2", "dynamics")
+"""Groups that friction of a smooth contact in its steady state does not depend on."""
 SMALL_RATIO = 1e-5
 """Where friction is proportional to the ratio: its slope is taken there."""
 FAR = 0.1
@@ -96,10 +98,11 @@ def read_keys(path: str | Path) -> dict[str, Any]:
         groups = f90nml.read(path)
     except Exception as error:  # f90nml's parser reports bad syntax by whatever it stumbles into
         raise ArgumentError(f"{path}: not a namelist file ({error})") from error
-    for name in ("sweep", "waviness", "surface"):
+    for name in ("sweep", *UNUSED):
         if groups.get(name):
             raise ArgumentError(
-                f"{path}: has &{name}: friction over slip is that of one smooth contact: remove it"
+                f"{path}: has &{name}: friction over slip is that of one smooth contact in its "
+                "steady state: remove it"
             )
     if "heat" in groups and not groups["heat"]:
         raise ArgumentError(f"{path}: {EMPTY_HEAT}")
@@ -117,8 +120,9 @@ def traction(
     Parameters
     ----------
     keys : mapping
-        Of one smooth case, as of :class:`ehlwave.Case`. With keys of ``&heat`` there is friction
-        with heat; with ``shear_limit_over_pressure`` friction with this limit, besides.
+        Of one smooth contact, as of :class:`ehlwave.Case`; the ratios replace its slip. With
+        keys of ``&heat`` there is friction with heat; with ``shear_limit_over_pressure`` friction
+        with this limit, besides.
     ratios : sequence of float
         Slide-to-roll ratios, above 0 and, with heat, below 2.
     ranks : int
@@ -129,7 +133,7 @@ def traction(
     Raises
     ------
     ArgumentError
-        If the ratios are none.
+        If the ratios are none, or keys are of waves or of a march.
     SurfaceError
         If the conditions are Moes parameters.
     ProgramError
@@ -151,7 +155,14 @@ def traction(
             "load_parameter_m: a film in um wants dimensional &conditions: give radius_x_m, "
             "reduced_modulus_pa, load_n or load_n_per_m, mean_speed_m_per_s and viscosity_pa_s"
         )
-    has_heat = any(key_groups().get(key) == "heat" for key in given)
+    groups = key_groups()
+    for key in given:
+        if groups.get(key) in UNUSED:
+            raise ArgumentError(
+                f"{key}: &{groups[key]} has no part in friction over slip, which is that of one "
+                "smooth contact in its steady state: remove it"
+            )
+    has_heat = any(groups.get(key) == "heat" for key in given)
     chosen = _checked(ratios, has_heat)
     limit = float(given.get(LIMIT, 0)) or None
     free = {key: value for key, value in given.items() if key not in (LIMIT, LIMIT_WIDTH)}

@@ -233,4 +233,29 @@ def draw(rng: np.random.Generator, known: Mapping[str, str], folder: Path) -> Ro
         value = value_of(contact, row)
         if value is not None:
             row[key] = value
-    return row
+    return _without_idle(row)
+
+
+def _without_idle(row: Row) -> Row:
+    """Return the row without what has no effect on it and is refused: loads over no time, z."""
+    is_wavy, is_harmonic = "orientation" in row, row.get("response") == "harmonic"
+    moves = (
+        "file" in row or _varies_along(row, "", at_rest=0) or _varies_along(row, "_2", at_rest=2)
+    )
+    marches = (moves or "end_time" in row) and not (is_wavy and is_harmonic)
+    idle: tuple[str, ...] = ()
+    if not marches and not (moves and is_harmonic):
+        idle += ("load_balance", "natural_frequency")
+    if not marches and row.get("response", "transient") == "transient":
+        idle += ("load_factor",)
+    if row.get("viscosity_law") in ("barus", "isoviscous"):
+        idle += ("roelands_index",)
+    return {key: value for key, value in row.items() if key not in idle}
+
+
+def _varies_along(row: Row, surface: str, at_rest: float) -> bool:
+    """Return whether the waves of a surface, '' or '_2', change the gap in time."""
+    if row.get(f"orientation{surface}") == "custom" and row[f"wavelength_x_over_a{surface}"] == 0:
+        return False
+    is_across = row.get(f"orientation{surface}", "longitudinal") != "longitudinal"
+    return is_across and row.get("slip_parameter", 1) != at_rest

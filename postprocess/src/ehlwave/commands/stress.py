@@ -72,7 +72,7 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
         help="depths, um (of files without lengths: in units of a)",
     )
     parser.add_argument(
-        "--body", type=int, choices=(1, 2), default=1, help="whose stress is drawn and written"
+        "--body", type=int, choices=(1, 2), help="of a case: whose stress is drawn and written; 1"
     )
     add_reading(parser)
     parser.add_argument(

@@ -94,6 +94,11 @@ def conditions_from_keys(
     if missing:
         raise SurfaceError(f"{place}: {missing[0]} is missing: {advice}{see('keys')}")
     if has_moes:
+        if "radius_x_m" in values and "semi_axis_a_m" not in values:
+            raise SurfaceError(
+                f"{place}: radius_x_m beside M, L and D gives no lengths without semi_axis_a_m, "
+                f"the Hertz semi-axis along rolling: give both, or remove it{see('keys')}"
+            )
         values.setdefault("semi_axis_a_m", math.nan)
     else:
         if "semi_axis_a_m" in values:

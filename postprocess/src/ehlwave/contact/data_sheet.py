@@ -299,6 +299,11 @@ def _check_names(sheet: Mapping[str, Any]) -> None:
     for one, other in _CONTRADICTIONS:
         if one in sheet and other in sheet:
             raise SurfaceError(f"Oil.from_grade: gives {one} and {other}: remove one{see('oil')}")
+    if "pressure_viscosity_error" in sheet and "pressure_viscosity_per_pa" not in sheet:
+        raise SurfaceError(
+            "Oil.from_grade: pressure_viscosity_error is that of pressure_viscosity_per_pa, which "
+            f"is not given (the estimate of alpha has its own): give both{see('oil')}"
+        )
 
 
 def _needed(sheet: Mapping[str, Any], name: str) -> float:

@@ -109,8 +109,9 @@ def _sum(first: float, second: float, name: str, may_be_flat: bool) -> float:
 def _take_line_load(keys: dict[str, Any], names: Names) -> None:
     load, length = keys.pop("load_n", None), keys.pop("length_m", None)
     if LOAD_KEY in keys:
-        if load is not None:
-            raise SurfaceError(f"Contact: gives load_n and {LOAD_KEY}: remove one")
+        for key, value in (("load_n", load), ("length_m", length)):
+            if value is not None:
+                raise SurfaceError(f"Contact: gives {key} and {LOAD_KEY}: remove one")
         return
     if load is None or length is None:
         missing = "load_n" if load is None else "length_m"

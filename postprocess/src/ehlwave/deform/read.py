@@ -189,9 +189,17 @@ def _steps(file: Path, raw: RawSurface, options: ReadOptions) -> tuple[float, fl
         step = uniform_step(_positions(file, raw.x, raw.height.shape[-1], "x"), f"{file}: x")
     if raw.y is not None and raw.height.ndim == 2:
         across = uniform_step(_positions(file, raw.y, raw.height.shape[0], "y"), f"{file}: y")
-    step = _agreed(file, "step=", _said(file, "step", options.step, length), step)
-    said = _said(file, "step_across", options.step_across, length)
-    across = _agreed(file, "step_across=", said, across)
+    said = _said(file, "step", options.step, length)
+    said_across = _said(file, "step_across", options.step_across, length)
+    if raw.height.ndim == 1 and said_across is not None:
+        if not raw.is_across:
+            raise SurfaceError(
+                f"{file}: step_across={options.step_across} is of a map, and this is a trace: "
+                "remove it"
+            )
+        said, said_across = said_across, None
+    step = _agreed(file, "step=", said, step)
+    across = _agreed(file, "step_across=", said_across, across)
     if step is None:
         hint = "; commas were taken as decimal ones" if raw.has_decimal_commas else ""
         raise SurfaceError(f"{file}: has no positions: give the sampling step by step={hint}")

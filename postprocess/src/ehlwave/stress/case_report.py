@@ -35,6 +35,8 @@ POINTS = 128
 
 DANG_VAN = "Dang Van's factor"
 
+HISTORY = "fields over time, of a march with &output fields_every in which points pass the contact"
+
 ROOM = 1.3
 """Half of the passage of a point, in semi-axes: those that have come and gone are judged."""
 
@@ -135,6 +137,8 @@ def case_text(document: dict[str, Any]) -> str:
                 f"{entry['dang_van_smooth']:.3f}; N = {document['cycles']:.3g}; share at risk "
                 f"{100 * entry['share_at_risk']:.3g} %"
             ]
+    if not any("dang_van" in entry for entry in document["bodies"]):
+        lines += ["", f"{DANG_VAN}: not known, cycles have no effect: it needs {HISTORY}"]
     return "\n".join(lines)
 
 

@@ -17,6 +17,17 @@ from ehlwave.operating_point import contact_of
 from ehlwave.stress.case_report import case_section, case_text, judge_case
 from ehlwave.stress.report import plain, stress_dataset, stress_json, stress_text
 
+OF_SURFACES = {
+    "friction": None,
+    "second": None,
+    "smooth": None,
+    "slide_to_roll_ratio": None,
+    "form": "plane",
+    "ends": "mirror",
+    **{field.name: field.default for field in fields(ReadOptions)},
+}
+"""Options of measured surfaces, with their defaults; a file of ``ehlwave-case`` has its own."""
+
 
 def run_stress(options: argparse.Namespace) -> None:
     """Judge a file of ehlwave-case, or a measured surface; print and write it."""
@@ -36,18 +47,29 @@ def _of_case(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: A
             f"{options.file}: not a file of ehlwave-case --output; of a measured surface say what "
             "contact it is in: --conditions"
         )
+    for name, default in OF_SURFACES.items():
+        if getattr(options, name) != default:
+            raise StressError(
+                f"{name}= is for a measured surface, and {options.file} is of a solved contact, "
+                "without --conditions: remove it"
+            )
     document, stresses = judge_case(options.file, depths, options.cycles, options.poisson_ratio)
     text = json.dumps(plain(document), indent=2, allow_nan=False)
     print(text if options.json else case_text(document))
     if options.output is None:
         return []
-    stress = stresses[options.body - 1]
+    stress = stresses[(options.body or 1) - 1]
     figures = {"section": case_section(options.file, stress)}
     return _write(options, text, stress, figures)
 
 
 def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: ANN401
     """Judge a measured surface; return what was written."""
+    if options.body is not None:
+        raise StressError(
+            "body= is for a file of ehlwave-case: of a surface both bodies are judged and written, "
+            "and the first is drawn: remove it"
+        )
     given = read_given(options.conditions)
     reading = {field.name: getattr(options, field.name) for field in fields(ReadOptions)}
     result = contact_of(given).stress(

@@ -12,6 +12,7 @@ from ehlwave.deform.predict import Deformed
 from ehlwave.deform.raw_surface import SurfaceSource
 from ehlwave.deform.surface import Surface
 from ehlwave.errors import RangeError
+from ehlwave.stress.loads import POISSON_RATIO, PoissonRatio
 from ehlwave.stress.rough import RoughStress, rough_stress
 
 UNKNOWN_FRICTION = (
@@ -55,7 +56,7 @@ def stress_of_contact(
     *,
     friction: float | None = None,
     cycles: float = 1e8,
-    poisson_ratio: float = 0.3,
+    poisson_ratio: PoissonRatio = POISSON_RATIO,
     depths_m: ArrayLike | None = None,
     smooth: xr.Dataset | str | Path | None = None,
     **deforming: Any,  # noqa: ANN401

@@ -16,6 +16,12 @@ SAME_STEP = 1e-6
 """Relative: coordinates of a DataArray are kept where their steps are those that are given."""
 
 
+POISSON_RATIO = 0.3
+"""Of steel: that of bodies of which nothing is said."""
+
+PoissonRatio = float | tuple[float, float]
+"""Of both bodies, or of the first and of the other one."""
+
 DEEPEST = 100.0
 """Semi-axes a: stresses of the contact are below a thousandth there, of lines below a hundredth."""
 
@@ -99,6 +105,13 @@ def checked_poisson_ratio(poisson_ratio: Any) -> float:  # noqa: ANN401 - what u
     if not -1 < found <= 0.5:
         raise StressError(f"poisson_ratio = {found:g}: must be above -1 and at most 0.5")
     return found
+
+
+def checked_poisson_ratios(poisson_ratio: Any) -> tuple[float, float]:  # noqa: ANN401
+    """Return those of both bodies, given as one number or two; StressError as of one."""
+    is_pair = isinstance(poisson_ratio, list | tuple) and len(poisson_ratio) == 2
+    first, second = poisson_ratio if is_pair else (poisson_ratio, poisson_ratio)
+    return checked_poisson_ratio(first), checked_poisson_ratio(second)
 
 
 def checked_depths(depths_m: Any, largest_m: float = np.inf) -> Floats:  # noqa: ANN401

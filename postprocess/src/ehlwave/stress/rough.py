@@ -14,6 +14,7 @@ from ehlwave.deform.predict import Deformed
 from ehlwave.deform.ripple import hertz_pressure_of
 from ehlwave.deform.rough_pressure import Ripple, ripple_of
 from ehlwave.errors import StressError
+from ehlwave.hints import see
 from ehlwave.shown import Shown, within
 from ehlwave.stress.body import BodyStress, judge_body
 from ehlwave.stress.case import stress_of_case
@@ -22,9 +23,11 @@ from ehlwave.stress.history import follow
 from ehlwave.stress.life import CYCLE_POWER, LINE_CYCLE_POWER
 from ehlwave.stress.loads import (
     DEEPEST,
+    POISSON_RATIO,
+    PoissonRatio,
     checked_depths,
     checked_number,
-    checked_poisson_ratio,
+    checked_poisson_ratios,
 )
 from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts, reach
 
@@ -60,8 +63,10 @@ class RoughStress(Shown):
     ripple_error : float
         Relative error of the ripple: the atlas' bars, what is linear in the amplitude, and waves of
         the centre for those of the whole contact.
-    cycles, poisson_ratio : float
-        N of Dang Van's criterion; of both bodies.
+    cycles : float
+        N of Dang Van's criterion.
+    poisson_ratio : float or pair of float
+        Of both bodies; of each where they differ.
     valid_within_a : float
         Distance from the centre, in semi-axes, within which the pressure is above 0 everywhere;
         farther out, with the edge and the pressure spike, nothing is predicted.
@@ -78,7 +83,7 @@ class RoughStress(Shown):
     friction: float
     ripple_error: float
     cycles: float
-    poisson_ratio: float
+    poisson_ratio: PoissonRatio
     valid_within_a: float
     warnings: list[str] = field(default_factory=list)
 
@@ -100,7 +105,7 @@ def rough_stress(
     surfaces: Sequence[Deformed],
     friction: float = 0.0,
     cycles: float = 1e8,
-    poisson_ratio: float = 0.3,
+    poisson_ratio: PoissonRatio = POISSON_RATIO,
     depths_m: ArrayLike | None = None,
     smooth: xr.Dataset | str | Path | None = None,
 ) -> RoughStress:
@@ -112,11 +117,12 @@ def rough_stress(
         Deformed shapes, from :meth:`ehlwave.Contact.deform`: of the first body, and of the other,
         whose slip parameter is 2 - S.
     friction : float
-        Traction over pressure: its size. It drags the faster body back.
+        Traction over pressure: its size. It drags the faster body back; in pure rolling neither
+        is, and friction is refused.
     cycles : float
         N of Dang Van's criterion.
-    poisson_ratio : float
-        Of both bodies.
+    poisson_ratio : float or pair of float
+        Of both bodies, or of the first and of the other one.
     depths_m : array_like, optional
         Depths; otherwise chosen by the waves of the pressure and by the contact.
     smooth : Dataset or path, optional
@@ -138,8 +144,13 @@ def rough_stress(
             f"{2 - slip:g} = 2 - S of the first"
         )
     friction = abs(checked_number(friction, "friction"))
+    if friction > 0 and slip == 1:
+        raise StressError(
+            f"friction = {friction:g} in pure rolling (slip_parameter = 1), where it drags neither "
+            f"body back: remove it, or give the slip of the first body{see('slip')}"
+        )
     cycles = checked_number(cycles, "cycles")
-    poisson_ratio = checked_poisson_ratio(poisson_ratio)
+    ratios = checked_poisson_ratios(poisson_ratio)
     if depths_m is not None:
         depths_m = checked_depths(depths_m, DEEPEST * conditions.semi_axis_a_m)
     ripples = tuple(ripple_of(surface) for surface in surfaces)
@@ -156,8 +167,8 @@ def rough_stress(
     for index, own_slip in enumerate((slip, 2 - slip)):
         own = ripples[index] if index < len(ripples) else None
         pull = -friction * float(np.sign(own_slip - 1))
-        below = None if smooth is None else _midplane(smooth, depths, index + 1, poisson_ratio)
-        histories = follow(conditions, ripples, own, own_slip, depths, pull, poisson_ratio, below)
+        below = None if smooth is None else _midplane(smooth, depths, index + 1, ratios[index])
+        histories = follow(conditions, ripples, own, own_slip, depths, pull, ratios[index], below)
         bodies.append(
             judge_body(
                 f"{names[index]}, {'rough' if own else 'smooth'}",
@@ -178,10 +189,10 @@ def rough_stress(
         bodies=tuple(bodies),
         hertz_pa=hertz,
         ripple_rq_pa=rq,
-        friction=friction if slip != 1 else 0.0,
+        friction=friction,
         ripple_error=error,
         cycles=cycles,
-        poisson_ratio=poisson_ratio,
+        poisson_ratio=ratios[0] if ratios[0] == ratios[1] else ratios,
         valid_within_a=reach(ripples, hertz),
         warnings=doubts(surfaces, ripples, amplitude, bar),
     )
