@@ -118,8 +118,8 @@ contains
       class(film_rules_t), intent(in) :: self
       real(dp), intent(in) :: variation(:), rate(:)           !! |Sigma| and B of each place, (n)
       type(shear_limit_t), allocatable, intent(in) :: limit   !! of the stress, if there is one
-      integer, intent(out) :: order(size(variation))          !! places, those of rule 1 first
-      integer, intent(out) :: first(size(rule_points) + 1)    !! where those of each rule begin in it; then n + 1
+      integer, intent(out) :: order(:)                       !! places, those of rule 1 first, (n)
+      integer, intent(out) :: first(:)                       !! where those of each rule begin in it; then n + 1
       type(across_film_t), intent(in), optional :: across
       integer :: i, k, needed(size(variation)), place(size(rule_points) + 1)
 
