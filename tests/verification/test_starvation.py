@@ -304,6 +304,19 @@ class Starvation(TestCase):
         report(f"starved over flooded: {[round(ratio, 2) for ratio in ratios]}")
         self.assertLess(max(ratios), 2.5)
 
+    def test_oil_that_thins(self):
+        """An oil that thins costs no more, and one of a high stress has the film of a Newtonian one."""
+        films = []
+        for oil in ({}, {"eyring_stress_pa": 1e16}, {"eyring_stress_pa": 5e6}):
+            lubricant = {"flow_law": "eyring", **oil} if oil else {}
+            found = solve(m=61, l=3.9, d=0.32, conditions={"reduced_modulus_pa": 2.26e11}, lubricant=lubricant,
+                          grid={"x_min": -3.5, "edges": "truncated", "cells_x": 64, "cells_y": 64},
+                          inlet={"oil_over_flooded": 0.57})
+            self.assertLess(found["starved_over_flooded_work"], 2.5)
+            films.append(found["central_film"])
+        self.check_close(films[1], films[0], 1e-6, "Newtonian limit")
+        self.check_close(films[2], films[0], 0.02, "Ree-Eyring")
+
     def test_line(self):
         """A line contact passes all oil that it is offered where that is little; nothing leaves over sides."""
         grid = {"x_min": -3, "x_max": 1.5, "cells_x": 288, "edges": "truncated"}
