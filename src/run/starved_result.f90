@@ -21,6 +21,7 @@ module ehlwave_starved_result
       real(dp), allocatable :: content(:, :)        !! theta of the last solution, if fields are kept
    contains
       procedure :: take
+      procedure :: is_full_to_edge
       procedure :: warning => edge_warning
    end type starved_result_t
 
@@ -47,13 +48,20 @@ contains
       end associate
    end subroutine take
 
+   !> Whether the gap fills at the inlet edge, which has less oil than gap.
+   pure logical function is_full_to_edge(self, grid)
+      class(starved_result_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      is_full_to_edge = self%passage%meniscus_x < grid%x(0) + 1.5_dp*grid%hx
+   end function is_full_to_edge
+
    !> A warning where the gap fills at the inlet edge, which has less oil than gap; '' where it does not.
    pure function edge_warning(self, grid) result(text)
       class(starved_result_t), intent(in) :: self
       type(grid_t), intent(in) :: grid
       character(len=:), allocatable :: text
       text = ''
-      if (.not. self%passage%meniscus_x < grid%x(0) + 1.5_dp*grid%hx) return
+      if (.not. self%is_full_to_edge(grid)) return
       text = 'the gap is full from the inlet edge on, which has less oil than gap: a longer domain '// &
              '(&grid x_min below '//to_text(grid%x(0), 4)//') has a thicker film'
    end function edge_warning

@@ -88,6 +88,14 @@ class Starvation(TestCase):
                 self.assertLess(abs(values[1]/values[2] - 1), 2*results[1]["film_over_flooded_error"] + 1e-4)
                 report(f"r = {r}: R {values}, other solver {limit(peer):.4f}, apart {deviation:.1e}")
 
+    def test_error_of_ratio(self):
+        """Also where two grids agree by chance, and where the gap is full from the inlet edge on."""
+        for m, l, d, r, x_min, cells, edges in ((45.2, 6, 0.24, 0.49, -3.5, 64, "truncated"),
+                                                (23, 3.3, 0.26, 2.7, -2.5, 48, "flooded")):
+            found, fine = (solve(m=m, l=l, d=d, inlet={"oil_over_flooded": r}, grid={
+                "x_min": x_min, "edges": edges, "cells_x": cells*n, "cells_y": cells*n}) for n in (1, 2))
+            self.check_close(found["film_over_flooded"], fine["film_over_flooded"], found["film_over_flooded_error"], f"r = {r}")
+
     @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
     def test_responses(self):
         """Ad/Ai on the grid of the other solver, where oil is not short."""
