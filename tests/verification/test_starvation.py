@@ -183,6 +183,7 @@ class Starvation(TestCase):
             result = last_line(run("case", "case.nml", "--json", "--quiet", "--output", "case.h5", folder=folder))
             with h5py.File(Path(folder, "case.h5")) as file:
                 offered, behind, content = file["layer_offered"][:], file["layer_behind"][:], file["content"][:]
+                oil, pressure = content*file["film"][:], file["pressure"][:]
         self.assertLess(result["mass_balance_error"], 1e-6)
         weights = [1] + [2]*(len(behind) - 2)
         share = sum(weights*behind[:-1])/sum(weights*offered[:-1])
@@ -191,6 +192,10 @@ class Starvation(TestCase):
         self.assertLess(behind[0], offered[0])              # the contact pushes oil aside
         self.assertGreater(max(behind), 1.1*offered[0])     # and it piles up beside the track
         self.assertTrue(0 < content.min() <= content.max() <= 1)
+        self.assertEqual(abs(pressure[:, -3:]).max(), 0)
+        for column in (-3, -2, -1):                         # behind the contact, to the last node
+            self.assertLess(abs(oil[:-1, column] - behind[:-1]).max(), 1e-6)
+        self.assertLess(abs(oil[-1] - offered[-1]).max(), 1e-6)   # beside it
 
     def test_march(self):
         """Waves of 1 % of the film in time against the linear response: 0.5 % of Ai."""
