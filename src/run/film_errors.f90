@@ -112,15 +112,16 @@ contains
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level             !! the finest
       type(case_result_t), intent(inout) :: result
-      real(dp) :: left, outside
+      real(dp) :: left, outside, short
 
       left = merge(plan%film_domain_error, 0.0_dp, level%problem%grid%is_flooded)
-      result%minimum_film_domain_error = smallest_domain_share*left
+      short = merge(result%starved%edge_error, 0.0_dp, level%problem%grid%is_flooded)
+      result%minimum_film_domain_error = smallest_domain_share*left + short
       result%minimum_film_error = result%minimum_film_error + result%minimum_film_domain_error
       if (.not. ieee_is_finite(result%friction_error)) return
       outside = friction_outside(level%problem, level%state, &
                                  max(fewest_domains, plan%conditions%radius_over_a()/abs(plan%x_min)))
-      result%friction_domain_error = friction_domain_share*left &
+      result%friction_domain_error = friction_domain_share*left + short &
                                      + abs(outside/result%shear%friction_coefficient)
       result%friction_error = result%friction_error + result%friction_domain_error
    end subroutine add_domain

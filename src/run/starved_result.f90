@@ -16,6 +16,7 @@ module ehlwave_starved_result
       real(dp) :: flooded_film = no_value           !! H(0,0) with plenty of oil
       real(dp) :: film_over_flooded = no_value      !! R
       real(dp) :: film_over_flooded_error = no_value   !! estimated relative discretisation error, from grids
+      real(dp) :: edge_error = 0                    !! of the film, relative, by an inlet edge that the full gap reaches
       real(dp) :: solve_over_flooded = no_value     !! counted work of the starved solve over that of the flooded one
       type(oil_passage_t) :: passage                !! of the smooth contact
       real(dp), allocatable :: content(:, :)        !! theta of the last solution, if fields are kept
@@ -45,6 +46,8 @@ contains
          self%oil_over_flooded = level%given%supply(minloc(abs(grid%y), 1) - 1)/flooded%oil(n)
          self%solve_over_flooded = work/flooded%work - 1
          call follow_oil(level%problem, level%given, level%state, self%passage)
+         ! a longer domain has a thicker film, the flooded one at most
+         if (self%is_full_to_edge(grid)) self%edge_error = max(0.0_dp, flooded%film(n)/level%central_film - 1)
       end associate
    end subroutine take
 

@@ -172,6 +172,11 @@ class Starvation(TestCase):
         long = contact(0.8, grid={"x_min": -5, "x_max": 1.5, "edges": "flooded", "cells_x": 104})
         deviation = self.check_close(short["film_over_flooded"], long["film_over_flooded"], 1e-3, "a longer domain")
         report(f"domain -2.5 against -5: {deviation:.1e}")
+        short, long = (solve(m=55, l=9.8, d=0.21, inlet={"oil_over_flooded": 1.91},
+                             grid={"x_min": x, "x_max": 1.5, "edges": "flooded", "cells_x": cells, "cells_y": 48})
+                       for x, cells in ((-3, 72), (-6, 120)))
+        self.assertIn("a longer domain", short["warning"])
+        self.check_close(short["film_over_flooded"], long["film_over_flooded"], short["film_error_domain"], "full to the edge")
 
     @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
     def test_oil(self):
