@@ -149,6 +149,17 @@ def test_films_that_sliding_warms(
     assert unknown.minimum_m is None
 
 
+@pytest.mark.parametrize(("slip", "central_um"), [(1.6, 0.4208), (0.4, 0.6588)])
+def test_error_of_films_of_unknown_rise(slip: float, central_um: float) -> None:
+    """Newtonian films of ehlwave-case on 512 cells, between bodies of 46 and 2 W/(m K)."""
+    given = ROLLER | {"load_n_per_m": 5e5, "mean_speed_m_per_s": 2, "slip_parameter": slip}
+    heat = ehlwave.Heat(313, 0.042, **OIL, body2=ehlwave.BodyHeat(2))
+    oil = {"pressure_viscosity_per_pa": 2e-8, "roelands_index": 0.6}
+    film = ehlwave.Contact(**given, **oil, heat=heat).film()
+    assert film.central_m * 1e6 == pytest.approx(central_um, rel=film.central_error)
+    assert film.central_error < 0.6
+
+
 def rollers_oil() -> ehlwave.Oil:
     return ehlwave.Oil.from_grade(iso_vg=46, temperature_k=333.15, eyring_stress_pa=5e6)
 

@@ -31,6 +31,8 @@ WARM_BAR, UNLIKE_BAR = 0.02, 0.02
 """Error of the film besides, times beta times the rise of the surfaces; the second times the
 difference of the effusivities over their sum. Of 289 contacts that slide 99 % were within all of a
 film's error."""
+NEWTONIAN_PA = 1e12
+"""An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
 """Of :func:`wedge` in the film. Fitted to 187 contacts of unlike bodies, whose films are within
 0.08 for 95 % of them, without 0.14."""
@@ -270,8 +272,12 @@ def warmed(
     inlet, loading = inlet_of(heat), _loading(conditions, heat)
     ends = (inlet_of(_conducting(heat, 1 + e)) for e in (-error, error))
     film_error = INLET_BAR + max(abs(end / inlet - 1) for end in ends)
-    if ratio == 0 or eyring_stress_pa is None:
-        return Heated(inlet, inlet, inlet if ratio == 0 else None, film_error)
+    if ratio == 0:
+        return Heated(inlet, inlet, inlet, film_error)
+    if eyring_stress_pa is None:  # it warms no more than an oil that does not thin
+        hot = shear_warm(sliding_film(conditions, NEWTONIAN_PA, film_m * inlet), heat)
+        bodies = abs(wedge(heat, ratio, hot.rise_surfaces_k) ** WEDGE_POWER - 1)
+        return Heated(inlet, inlet, None, film_error + bodies + _bar(heat, hot.rise_surfaces_k))
     case = sliding_film(conditions, eyring_stress_pa, film_m)
 
     def factor(found: Sheared, film: float, warmth: float) -> float:
@@ -297,7 +303,7 @@ def warmed(
         film,
         inlet,
         dense / (1 + constriction * warmth),
-        film_error + (WARM_BAR + UNLIKE_BAR * _unlike(heat)) * warmth,
+        film_error + _bar(heat, warm.rise_surfaces_k),
         warm.friction * factor(warm, film, loading),
         FRICTION_BAR + error_by_data(conditions, case_warm, friction, error),
         cold.friction * factor(cold, 1.0, 0.0),
@@ -306,10 +312,12 @@ def warmed(
     )
 
 
-def _unlike(heat: Heat) -> float:
-    """Return the difference of the effusivities of both bodies over their sum."""
+def _bar(heat: Heat, rise_surfaces_k: float) -> float:
+    """Return the part of the error of a film that grows with the rise of the surfaces."""
     first, second = (body.effusivity for body in heat.bodies)
-    return abs(first - second) / (first + second)
+    unlike = abs(first - second) / (first + second)
+    warmth = heat.viscosity_temperature_per_k * rise_surfaces_k
+    return (WARM_BAR + UNLIKE_BAR * unlike) * warmth
 
 
 def _conducting(heat: Heat, factor: float) -> Heat:
