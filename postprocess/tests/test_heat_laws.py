@@ -55,6 +55,8 @@ def test_the_independent_solver() -> None:
         found = warmed(c, heat, without["central_film_m"], row["eyring_stress_pa"])
         film = row["central_film_m"] / without["central_film_m"]
         assert found.film_factor == pytest.approx(film, rel=0.01)
+        smallest = row["minimum_film_m"] / without["minimum_film_m"]
+        assert found.minimum_factor == pytest.approx(smallest, rel=0.02)
         if row["slide_to_roll_ratio"] and row["mean_speed_m_per_s"] == 1:
             assert found.friction == pytest.approx(row["friction_coefficient"], rel=FRICTION_BAR)
             friction = without["friction_coefficient"]
@@ -110,6 +112,52 @@ def test_surfaces_grow_warm_as_a_band_does() -> None:
     q = found.friction * np.pi / 4 * case.hertz_pa * case.sliding_m_per_s / 2
     scale = q * (2 * case.semi_axis_a_m / 5.0) ** 0.5 / heat.body.effusivity
     assert 0.8 < found.rise_surfaces_k / scale < 1.0  # 2 (1/2)^(1/2)/pi^(1/2) = 0.80 if even
+
+
+BALL = {"radius_x_m": 0.01, "radius_y_m": 0.01, "reduced_modulus_pa": 2e11, "load_n": 40}
+BALL |= {"mean_speed_m_per_s": 3, "viscosity_pa_s": 0.05}
+ROLLER = {"radius_x_m": 0.02, "reduced_modulus_pa": 2.26e11, "load_n_per_m": 6e5}
+ROLLER |= {"mean_speed_m_per_s": 4, "viscosity_pa_s": 0.04}
+
+
+@pytest.mark.parametrize(
+    ("given", "slip", "conductivities", "central_um", "minimum_um"),
+    [
+        (BALL, 0.5, (46, 1.1), 0.6291, 0.3306),
+        (BALL, 1.5, (46, 1.1), 0.4408, 0.3082),
+        (ROLLER, 1.4, (46, 46), 0.8100, 0.5838),
+        (ROLLER, 1.4, (4, 4), 0.7559, 0.4517),
+    ],
+)
+def test_films_that_sliding_warms(
+    given: dict[str, float],
+    slip: float,
+    conductivities: tuple[float, float],
+    central_um: float,
+    minimum_um: float,
+) -> None:
+    """Films of ehlwave-case on 192 x 192 and 1024 cells: unlike bodies, and the smallest film."""
+    bodies = [ehlwave.BodyHeat(k) for k in conductivities]
+    heat = ehlwave.Heat(313, 0.042, **OIL, body=bodies[0], body2=bodies[1])
+    oil = {"pressure_viscosity_per_pa": 2e-8, "roelands_index": 0.6, "eyring_stress_pa": 5e6}
+    film = ehlwave.Contact(**given, slip_parameter=slip, **oil, heat=heat).film()
+    assert film.central_m * 1e6 == pytest.approx(central_um, rel=min(0.1, film.central_error))
+    assert film.minimum_m * 1e6 == pytest.approx(minimum_um, rel=film.minimum_error)
+    cold = ehlwave.Contact(**given, slip_parameter=slip, **oil).film()
+    assert film.heated.isothermal_friction == pytest.approx(cold.friction, rel=0.05)
+    unknown = ehlwave.Contact(**given, slip_parameter=slip, heat=heat).film()
+    assert unknown.minimum_m is None
+
+
+@pytest.mark.parametrize(("slip", "central_um"), [(1.6, 0.4208), (0.4, 0.6588)])
+def test_error_of_films_of_unknown_rise(slip: float, central_um: float) -> None:
+    """Newtonian films of ehlwave-case on 512 cells, between bodies of 46 and 2 W/(m K)."""
+    given = ROLLER | {"load_n_per_m": 5e5, "mean_speed_m_per_s": 2, "slip_parameter": slip}
+    heat = ehlwave.Heat(313, 0.042, **OIL, body2=ehlwave.BodyHeat(2))
+    oil = {"pressure_viscosity_per_pa": 2e-8, "roelands_index": 0.6}
+    film = ehlwave.Contact(**given, **oil, heat=heat).film()
+    assert film.central_m * 1e6 == pytest.approx(central_um, rel=film.central_error)
+    assert film.central_error < 0.6
 
 
 def rollers_oil() -> ehlwave.Oil:

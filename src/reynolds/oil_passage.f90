@@ -3,6 +3,7 @@ module ehlwave_oil_passage
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
    use ehlwave_given, only: given_t
+   use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_reynolds, only: face_flux
    use ehlwave_state, only: state_t
@@ -39,8 +40,9 @@ contains
       call equations%evaluate(problem, given, state)
       associate (grid => problem%grid, mesh => equations%mesh, content => equations%content, flow => equations%flow)
          nx = grid%nx
-         passage%content = min(1.0_dp, flow%f/(flow%rho*state%h))
-         passage%content(nx, :) = passage%content(nx - 1, :)
+         allocate (passage%content(0:nx, 0:grid%ny), source=flow%f)
+         call go_on(passage%content, grid, state%p)
+         passage%content(:, :) = min(1.0_dp, passage%content/(flow%rho*state%h))
          allocate (passage%offered(0:grid%ny), source=flow%f(0, :))
          allocate (passage%behind(0:grid%ny), source=flow%f(0, :))
          passage%meniscus_x = meniscus(equations, state)
@@ -68,6 +70,22 @@ contains
             sum(grid%weight(grid%first_row:grid%last_row)*passage%behind(grid%first_row:grid%last_row)))/entering
       end associate
    end subroutine follow_oil
+
+   !> Edges without pressure beside the contact and downstream, where no balance is asked for: the oil there is what the
+   !> inlet edge has, or the nodes upstream.
+   pure subroutine go_on(oil, grid, p)
+      real(dp), intent(inout) :: oil(0:, 0:)   !! rho theta H, (0:nx, 0:ny)
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: p(0:, 0:)
+      integer :: j
+
+      do j = 0, grid%ny
+         if (j < grid%first_row .or. j > grid%last_row) then
+            where (.not. p(:, j) > 0) oil(:, j) = oil(0, j)
+         end if
+      end do
+      oil(grid%nx, :) = oil(grid%nx - 1, :)
+   end subroutine go_on
 
    !> Where the gap becomes full upstream of the centre at Y = 0: behind the last node that is partly filled, the
    !> farther the less it holds between what arrives there and what would fill it. That share is driven back by the

@@ -16,11 +16,13 @@ module ehlwave_starved_result
       real(dp) :: flooded_film = no_value           !! H(0,0) with plenty of oil
       real(dp) :: film_over_flooded = no_value      !! R
       real(dp) :: film_over_flooded_error = no_value   !! estimated relative discretisation error, from grids
+      real(dp) :: edge_error = 0                    !! of the film, relative, by an inlet edge that the full gap reaches
       real(dp) :: solve_over_flooded = no_value     !! counted work of the starved solve over that of the flooded one
       type(oil_passage_t) :: passage                !! of the smooth contact
       real(dp), allocatable :: content(:, :)        !! theta of the last solution, if fields are kept
    contains
       procedure :: take
+      procedure :: is_full_to_edge
       procedure :: warning => edge_warning
    end type starved_result_t
 
@@ -44,8 +46,17 @@ contains
          self%oil_over_flooded = level%given%supply(minloc(abs(grid%y), 1) - 1)/flooded%oil(n)
          self%solve_over_flooded = work/flooded%work - 1
          call follow_oil(level%problem, level%given, level%state, self%passage)
+         ! a longer domain has a thicker film, the flooded one at most
+         if (self%is_full_to_edge(grid)) self%edge_error = max(0.0_dp, flooded%film(n)/level%central_film - 1)
       end associate
    end subroutine take
+
+   !> Whether the gap fills at the inlet edge, which has less oil than gap.
+   pure logical function is_full_to_edge(self, grid)
+      class(starved_result_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      is_full_to_edge = self%passage%meniscus_x < grid%x(0) + 1.5_dp*grid%hx
+   end function is_full_to_edge
 
    !> A warning where the gap fills at the inlet edge, which has less oil than gap; '' where it does not.
    pure function edge_warning(self, grid) result(text)
@@ -53,7 +64,7 @@ contains
       type(grid_t), intent(in) :: grid
       character(len=:), allocatable :: text
       text = ''
-      if (.not. self%passage%meniscus_x < grid%x(0) + 1.5_dp*grid%hx) return
+      if (.not. self%is_full_to_edge(grid)) return
       text = 'the gap is full from the inlet edge on, which has less oil than gap: a longer domain '// &
              '(&grid x_min below '//to_text(grid%x(0), 4)//') has a thicker film'
    end function edge_warning

@@ -21,6 +21,8 @@ module ehlwave_newton
    ! Of oils that are not Newtonian:
    real(dp), parameter :: much_worse = 2         !! right side over the smallest so far above which a step is taken back
                                                  !! by halves
+   real(dp), parameter :: starved_worse = 30     !! the same where a meniscus moves: its nodes have other residuals at
+                                                 !! each place (M = 61, L = 3.9, D = 0.32, r = 0.57: a stall with 2)
    integer, parameter :: most_halvings = 10
    real(dp), parameter :: progress = 0.9_dp      !! of the smallest right side, or less, to be reached in so many steps
    integer, parameter :: patience = 15, starved_patience = 10
@@ -120,8 +122,8 @@ contains
             end if
             if (.not. problem%rheology%is_newtonian()) then
                if (k > 0) then
-                  call go_back(self, problem, given, before, best, work_before + limits%largest_work, levels, state, &
-                               worth)
+                  call go_back(self, problem, given, before, merge(starved_worse, much_worse, is_starved)*best, &
+                               work_before + limits%largest_work, levels, state, worth)
                   if (any(self%step%cavitated_before .neqv. equations%is_cavitated)) best = max(best, worth)
                end if
                if (worth < progress*best) last_gain = k
@@ -243,12 +245,12 @@ contains
    !> smallest so far. The flow of oils that are not Newtonian can grow exponentially with the pressure gradient: a step
    !> that makes the steep end steeper would be paid back by one factor e a step (line contact, M = 300, L = 12, tau0 =
    !> 0.5 MPa: from 0.2 to 1e7 in one step).
-   subroutine go_back(self, problem, given, before, best, largest_work, levels, state, worth)
+   subroutine go_back(self, problem, given, before, most, largest_work, levels, state, worth)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(given_t), intent(in) :: given
       type(state_t), intent(in) :: before
-      real(dp), intent(in) :: best               !! smallest norm of the right side so far
+      real(dp), intent(in) :: most               !! norm of the right side that stands
       real(dp), intent(in) :: largest_work       !! on the levels, from which on it goes no farther
       type(level_t), intent(in) :: levels(:)
       type(state_t), intent(inout) :: state
@@ -256,7 +258,7 @@ contains
       integer :: n
 
       do n = 1, most_halvings
-         if (self%step%worth_of_same() <= much_worse*best .or. work_of(levels) >= largest_work) return
+         if (self%step%worth_of_same() <= most .or. work_of(levels) >= largest_work) return
          state%p = 0.5_dp*(before%p + state%p)
          state%h = 0.5_dp*(before%h + state%h)
          state%delta = 0.5_dp*(before%delta + state%delta)

@@ -88,6 +88,14 @@ class Starvation(TestCase):
                 self.assertLess(abs(values[1]/values[2] - 1), 2*results[1]["film_over_flooded_error"] + 1e-4)
                 report(f"r = {r}: R {values}, other solver {limit(peer):.4f}, apart {deviation:.1e}")
 
+    def test_error_of_ratio(self):
+        """Also where two grids agree by chance, and where the gap is full from the inlet edge on."""
+        for m, l, d, r, x_min, cells, edges in ((45.2, 6, 0.24, 0.49, -3.5, 64, "truncated"),
+                                                (23, 3.3, 0.26, 2.7, -2.5, 48, "flooded")):
+            found, fine = (solve(m=m, l=l, d=d, inlet={"oil_over_flooded": r}, grid={
+                "x_min": x_min, "edges": edges, "cells_x": cells*n, "cells_y": cells*n}) for n in (1, 2))
+            self.check_close(found["film_over_flooded"], fine["film_over_flooded"], found["film_over_flooded_error"], f"r = {r}")
+
     @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
     def test_responses(self):
         """Ad/Ai on the grid of the other solver, where oil is not short."""
@@ -164,6 +172,11 @@ class Starvation(TestCase):
         long = contact(0.8, grid={"x_min": -5, "x_max": 1.5, "edges": "flooded", "cells_x": 104})
         deviation = self.check_close(short["film_over_flooded"], long["film_over_flooded"], 1e-3, "a longer domain")
         report(f"domain -2.5 against -5: {deviation:.1e}")
+        short, long = (solve(m=55, l=9.8, d=0.21, inlet={"oil_over_flooded": 1.91},
+                             grid={"x_min": x, "x_max": 1.5, "edges": "flooded", "cells_x": cells, "cells_y": 48})
+                       for x, cells in ((-3, 72), (-6, 120)))
+        self.assertIn("a longer domain", short["warning"])
+        self.check_close(short["film_over_flooded"], long["film_over_flooded"], short["film_error_domain"], "full to the edge")
 
     @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
     def test_oil(self):
@@ -175,6 +188,7 @@ class Starvation(TestCase):
             result = last_line(run("case", "case.nml", "--json", "--quiet", "--output", "case.h5", folder=folder))
             with h5py.File(Path(folder, "case.h5")) as file:
                 offered, behind, content = file["layer_offered"][:], file["layer_behind"][:], file["content"][:]
+                oil, pressure = content*file["film"][:], file["pressure"][:]
         self.assertLess(result["mass_balance_error"], 1e-6)
         weights = [1] + [2]*(len(behind) - 2)
         share = sum(weights*behind[:-1])/sum(weights*offered[:-1])
@@ -183,6 +197,10 @@ class Starvation(TestCase):
         self.assertLess(behind[0], offered[0])              # the contact pushes oil aside
         self.assertGreater(max(behind), 1.1*offered[0])     # and it piles up beside the track
         self.assertTrue(0 < content.min() <= content.max() <= 1)
+        self.assertEqual(abs(pressure[:, -3:]).max(), 0)
+        for column in (-3, -2, -1):                         # behind the contact, to the last node
+            self.assertLess(abs(oil[:-1, column] - behind[:-1]).max(), 1e-6)
+        self.assertLess(abs(oil[-1] - offered[-1]).max(), 1e-6)   # beside it
 
     def test_march(self):
         """Waves of 1 % of the film in time against the linear response: 0.5 % of Ai."""
@@ -303,6 +321,19 @@ class Starvation(TestCase):
             ratios.append(solve(m=m, l=l, d=d, grid=grid, inlet={"oil_over_flooded": 3})["starved_over_flooded_work"])
         report(f"starved over flooded: {[round(ratio, 2) for ratio in ratios]}")
         self.assertLess(max(ratios), 2.5)
+
+    def test_oil_that_thins(self):
+        """An oil that thins costs no more, and one of a high stress has the film of a Newtonian one."""
+        films = []
+        for oil in ({}, {"eyring_stress_pa": 1e16}, {"eyring_stress_pa": 5e6}):
+            lubricant = {"flow_law": "eyring", **oil} if oil else {}
+            found = solve(m=61, l=3.9, d=0.32, conditions={"reduced_modulus_pa": 2.26e11}, lubricant=lubricant,
+                          grid={"x_min": -3.5, "edges": "truncated", "cells_x": 64, "cells_y": 64},
+                          inlet={"oil_over_flooded": 0.57})
+            self.assertLess(found["starved_over_flooded_work"], 2.5)
+            films.append(found["central_film"])
+        self.check_close(films[1], films[0], 1e-6, "Newtonian limit")
+        self.check_close(films[2], films[0], 0.02, "Ree-Eyring")
 
     def test_line(self):
         """A line contact passes all oil that it is offered where that is little; nothing leaves over sides."""

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 from ehlwave.answers import Film, given_film
 from ehlwave.atlas.chart import Chart
@@ -48,24 +49,27 @@ def film_of(
     scale, more = c.metres_per_moes, thinned + c.oil_error
     central, source = film.central_moes * c.film_ratio, chart.film_source
     by_heat: Heated | None = None
-    factor = 1.0
+    minimum = film.minimum_moes if not c.is_starved else math.nan
     if heat is not None:
         by_heat = heated(c, heat, central * (scale or math.nan), eyring_stress_pa)
-        factor, source = by_heat.film_factor, f"{source}, times the laws of heat"
+        if by_heat.isothermal_friction is not None and friction is not None:
+            by_heat = replace(by_heat, isothermal_friction=friction)
+        source = f"{source}, times the laws of heat"
+        minimum *= math.nan if by_heat.minimum_factor is None else by_heat.minimum_factor
         more += by_heat.film_error
         friction = by_heat.friction
         film_error = film.central_error + thinned + by_heat.film_error
         shear = by_heat.friction_error
         friction_error = None if shear is None else shear + film_error
-        central *= factor
+        central *= by_heat.film_factor
     if c.is_starved:
         source += f", times R = {c.film_ratio:.3g} of the law of starved contacts"
-    knows_minimum = not c.is_starved and math.isfinite(film.minimum_moes)
+    knows_minimum = math.isfinite(minimum)
     return Film(
         central_m=None if scale is None else central * scale,
-        minimum_m=film.minimum_moes * factor * scale if scale and knows_minimum else None,
+        minimum_m=minimum * scale if scale and knows_minimum else None,
         central_moes=central,
-        minimum_moes=film.minimum_moes * factor if knows_minimum else math.nan,
+        minimum_moes=minimum,
         central_error=film.central_error + more + c.starvation_error,
         minimum_error=film.minimum_error + more if knows_minimum else math.nan,
         friction=friction,

@@ -25,6 +25,19 @@ FRICTION_COEFFICIENTS = (0.23399, 0.65618, 1.4634, 0.30077, 0.17842, 0.28192, 36
 INLET_BAR, FRICTION_BAR, COLD_BAR = 0.05, 0.12, 0.055
 """Relative errors of the film by heat and of friction with and without heat: 95 % of contacts held
 out are within. A test compares them with the record."""
+WARM_BAR, UNLIKE_BAR = 0.02, 0.02
+"""Error of the film besides, times beta times the rise of the surfaces; the second times the
+difference of the effusivities over their sum. Of 289 contacts that slide 99 % were within all of a
+film's error."""
+NEWTONIAN_PA = 1e12
+"""An Eyring stress that thins no oil."""
+WEDGE_POWER = 0.67
+"""Of :func:`wedge` in the film. Fitted to 187 contacts of unlike bodies, whose films are within
+0.08 for 95 % of them, without 0.14."""
+CONSTRICTION_LINE, CONSTRICTION_ELLIPSE = 0.15, 0.04
+"""The smallest film lies where the oil leaves, after all the heat: over that at the centre it falls
+by 1/(1 + so much beta times the rise of the surfaces). Without this part the smallest films of
+lines were up to 0.9 too large; the same contacts were within the error of the central film."""
 
 RANGES = {
     "load_parameter_m": (5.0, 1500.0),
@@ -52,8 +65,11 @@ class Heated:
         Central film with heat over that without.
     inlet_factor : float
         The part of it by the warm inlet; the other one is by the density at the centre.
+    minimum_factor : float or None
+        Smallest film with heat over that without; None where surfaces slide and their rise is not
+        known.
     film_error : float
-        Of `film_factor`, relative: of the law, and what the error of the conductivity makes of it.
+        Of both, relative: of the law, and what the error of the conductivity makes of it.
     friction, isothermal_friction : float or None
         Friction coefficients with and without heat; None in pure rolling and of other oils than
         Ree-Eyring's.
@@ -66,6 +82,7 @@ class Heated:
 
     film_factor: float
     inlet_factor: float
+    minimum_factor: float | None
     film_error: float = INLET_BAR
     friction: float | None = None
     friction_error: float | None = None
@@ -121,6 +138,46 @@ def inlet_factor(
     given = (loading, slide_to_roll_ratio, wall)
     x, s, b = (np.asarray(value, dtype=np.float64) for value in given)
     return np.asarray(1 / (1 + c1 * (1 + c3 * np.abs(s) ** c4) * x**c2 * (1 + c5 * b**c6)))
+
+
+def wedge(heat: Heat, slide_to_roll_ratio: float, rise_surfaces_k: float) -> float:
+    """Return by what bodies that conduct heat differently thicken a film, over like ones.
+
+    Viscosity that falls evenly across the film by exp(-d), d = beta times the rise of the faster
+    surface over the slower one, lets the mean of the oil move at 1/d - 1/(e^d - 1) of the way from
+    the slower speed to the faster one, in place of 1/2. The film grows as that speed falls. Either
+    surface takes half of the heat.
+
+    Parameters
+    ----------
+    heat : Heat
+        Of both bodies.
+    slide_to_roll_ratio : float
+        Positive where the first surface is the faster one.
+    rise_surfaces_k : float
+        Mean rise of both surfaces.
+
+    Examples
+    --------
+    A steel ball that slides on a glass disc; the steel is the faster one, then the glass:
+
+    >>> import ehlwave
+    >>> from ehlwave.heat_laws import wedge
+    >>> heat = ehlwave.Heat(313.15, 0.042, 0.14, 2000, 870, body2=ehlwave.BodyHeat(1.1, 2500, 840))
+    >>> [round(wedge(heat, ratio, 40), 2) for ratio in (1, -1)]
+    [0.88, 1.3]
+    """
+    speeds = (1 + slide_to_roll_ratio / 2, 1 - slide_to_roll_ratio / 2)
+
+    def oil_speed(effusivities: tuple[float, float]) -> float:
+        rises = [1 / (e * u**0.5) for e, u in zip(effusivities, speeds, strict=True)]
+        of_first = 2 * (rises[0] - rises[1]) / sum(rises)
+        d = heat.viscosity_temperature_per_k * rise_surfaces_k * of_first
+        share = 0.5 if abs(d) < 1e-4 else 1 / d - 1 / np.expm1(d)
+        return float(1 + slide_to_roll_ratio * (share - 0.5))
+
+    first, second = (body.effusivity for body in heat.bodies)
+    return oil_speed((1, 1)) / oil_speed((first, second))
 
 
 def wall_parameter(heat: Heat, film_m: float, semi_axis_a_m: float, speed_m_per_s: float) -> float:
@@ -191,8 +248,12 @@ def warmed(
     inlet, loading = inlet_of(heat), loading_of(conditions, heat)
     ends = (inlet_of(_conducting(heat, 1 + e)) for e in (-error, error))
     film_error = INLET_BAR + max(abs(end / inlet - 1) for end in ends)
-    if ratio == 0 or eyring_stress_pa is None:
-        return Heated(inlet, inlet, film_error)
+    if ratio == 0:
+        return Heated(inlet, inlet, inlet, film_error)
+    if eyring_stress_pa is None:  # it warms no more than an oil that does not thin
+        hot = shear_warm(sliding_film(conditions, NEWTONIAN_PA, film_m * inlet), heat)
+        bodies = abs(wedge(heat, ratio, hot.rise_surfaces_k) ** WEDGE_POWER - 1)
+        return Heated(inlet, inlet, None, film_error + bodies + _bar(heat, hot.rise_surfaces_k))
     case = sliding_film(conditions, eyring_stress_pa, film_m)
 
     def factor(found: Sheared, film: float, warmth: float) -> float:
@@ -201,7 +262,8 @@ def warmed(
 
     cold = shear_isothermal(case)
     warm = shear_warm(replace(case, film_m=film_m * inlet), heat)
-    film = inlet / (1 - min(heat.oil_expansion_per_k * warm.rise_mean_k, 0.5))
+    dense = inlet / (1 - min(heat.oil_expansion_per_k * warm.rise_mean_k, 0.5))
+    film = dense * wedge(heat, ratio, warm.rise_surfaces_k) ** WEDGE_POWER
     case_warm = replace(case, film_m=film_m * film)
     warm = shear_warm(case_warm, heat)
 
@@ -211,16 +273,27 @@ def warmed(
         found = shear_warm(one, other)
         return found.friction * factor(found, one.film_m / film_m, loading_of(conditions, other))
 
+    warmth = heat.viscosity_temperature_per_k * warm.rise_surfaces_k
+    constriction = CONSTRICTION_LINE if conditions.is_line else CONSTRICTION_ELLIPSE
     return Heated(
         film,
         inlet,
-        film_error,
+        dense / (1 + constriction * warmth),
+        film_error + _bar(heat, warm.rise_surfaces_k),
         warm.friction * factor(warm, film, loading),
         FRICTION_BAR + error_by_data(conditions, case_warm, friction, error),
         cold.friction * factor(cold, 1.0, 0.0),
         warm.rise_mid_film_k,
         warm.rise_surfaces_k,
     )
+
+
+def _bar(heat: Heat, rise_surfaces_k: float) -> float:
+    """Return the part of the error of a film that grows with the rise of the surfaces."""
+    first, second = (body.effusivity for body in heat.bodies)
+    unlike = abs(first - second) / (first + second)
+    warmth = heat.viscosity_temperature_per_k * rise_surfaces_k
+    return (WARM_BAR + UNLIKE_BAR * unlike) * warmth
 
 
 def _conducting(heat: Heat, factor: float) -> Heat:
