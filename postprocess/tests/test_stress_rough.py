@@ -202,6 +202,10 @@ def test_errors_and_warnings_grow_with_the_amplitude() -> None:
     assert any("first estimate" in text for text in large.warnings)
     assert any("asperities" in text for text in large.warnings)
     assert 1 >= small.valid_within_a > large.valid_within_a >= 0
+    half = rough(amplitude_m=1e-8)
+    both = contact().stress(half, half, form="none", ends="none")
+    whole = contact().stress(rough(amplitude_m=2**0.5 * 1e-8), form="none", ends="none")
+    assert both.ripple_error == pytest.approx(whole.ripple_error, rel=1e-6)
     assert f"Valid        for |x| < {small.valid_within_a:.2f} a" in stress_text(small)
     assert any("cannot bear tension" in text for text in contact().stress(
         rough(amplitude_m=1e-6), form="none", ends="none").warnings)  # fmt: skip
