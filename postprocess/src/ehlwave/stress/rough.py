@@ -30,7 +30,7 @@ from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts, reach
 
 Floats = NDArray[np.float64]
 
-AMPLITUDE_ERROR = 0.15
+AMPLITUDE_ERROR = 0.2
 """Relative error of the ripple at that amplitude, of both surfaces; it grows with the amplitude."""
 
 REACH = 2.0
