@@ -49,6 +49,20 @@ def test_film_and_friction_are_those_of_the_program() -> None:
     assert ehlwave.Contact(**MOES, slip_parameter=1.3).film().friction is None  # Newtonian
 
 
+@pytest.mark.parametrize(
+    ("moes", "eyring_stress_pa", "slip", "friction"),
+    [((38, 11.8, 1), 21.5e6, 1.001, 0.009258), ((25, 8.8, 0.04), 1.2e6, 0.998, 1.069e-5)],
+)
+def test_friction_is_less_well_known_at_slight_slip_and_of_light_contacts(
+    moes: tuple[float, float, float], eyring_stress_pa: float, slip: float, friction: float
+) -> None:
+    """Of the program on a domain of twice the length and width; viscosity counts at slight slip."""
+    oil = {"reduced_modulus_pa": 2.2e11, "eyring_stress_pa": eyring_stress_pa}
+    keys = dict(zip(MOES, moes, strict=True)) | oil
+    found = ehlwave.Contact(**keys, slip_parameter=slip).film()
+    assert found.friction == pytest.approx(friction, rel=found.friction_error)
+
+
 def test_bars_are_as_wide_as_the_condition_asks() -> None:
     thin = ehlwave.Contact(**MOES | {"load_parameter_m": 1000}, **OIL)
     thick = ehlwave.Contact(**MOES | {"load_parameter_m": 25, "radius_ratio_d": 0.1}, **OIL)

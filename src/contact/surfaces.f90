@@ -20,6 +20,7 @@ module ehlwave_surfaces
       procedure :: repeat_period
       procedure :: window
       procedure :: are_apart
+      procedure :: periods
       procedure :: are_one
       procedure :: smallest_amplitude
       procedure :: passing_time
@@ -124,6 +125,14 @@ contains
       if (size(self%list) > 1) are_apart = &
          abs(1/self%list(1)%period() - 1/self%list(2)%period())*self%window() > fewest_beats
    end function are_apart
+
+   !> Periods, in T, that the film at one point tells apart.
+   pure function periods(self) result(found)
+      class(surfaces_t), intent(in) :: self
+      real(dp), allocatable :: found(:)
+      integer :: n
+      found = [(self%list(n)%period(), n=1, merge(size(self%list), 1, self%are_apart()))]
+   end function periods
 
    !> Whether all surfaces have the same waves and move alike: the gap has one wave of the sum of their amplitudes.
    pure logical function are_one(self)

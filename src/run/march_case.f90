@@ -182,7 +182,7 @@ contains
             result%pair%ratio_fit = abs(parts(2))
             result%pair%phase_fit = atan2(aimag(parts(2)), real(parts(2), dp))
          end if
-         result%mean_film = fitted_mean(time(2:), film(2:), [(list(n)%period(), n=1, size(list))])
+         result%mean_film = fitted_mean(time(2:), film(2:), surfaces%periods())
          if (.not. (surfaces%are_apart() .or. surfaces%are_one())) call add_warning(result, 'the waves of both '// &
             'surfaces pass the centre with one frequency, where the film does not tell them apart: no Ad/Ai')
       end associate

@@ -36,7 +36,7 @@ contains
       error = change_in_a_period(case, plan, history, result)
       if (.not. is_moved_besides(case)) return
       associate (surfaces => plan%surfaces)
-         periods = [(surfaces%list(n)%period(), n=1, merge(size(surfaces%list), 1, surfaces%are_apart()))]
+         periods = surfaces%periods()
          allocate (parts(size(surfaces%list), 0), means(0), misfits(0))
          do n = 2, 0, -1
             before = n*nint(surfaces%longest_period()/plan%dt)
@@ -144,7 +144,7 @@ contains
 
       associate (list => surfaces%list)
          if (surfaces%are_apart()) then
-            parts = fitted_harmonics(time, film, [(list(n)%period(), n=1, size(list))])
+            parts = fitted_harmonics(time, film, surfaces%periods())
          else
             amplitudes = [(list(n)%amplitude(central_film), n=1, size(list))]
             parts = (no_value, no_value)

@@ -25,37 +25,38 @@ except ImportError as error:
 
 CONDITIONS = {"radius_x_m": 12.5e-3, "radius_y_m": 12.5e-3, "reduced_modulus_pa": 2.26e11, "load_n": 30,
               "mean_speed_m_per_s": 0.5, "viscosity_pa_s": 0.05}
+SLENDER = CONDITIONS | {"radius_y_m": 0.03, "load_n": 60, "mean_speed_m_per_s": 1.1}
 EYRING_PA = 5e6
 POINTS, LENGTH = 320, 4.5     # of the trace, LENGTH in units of a
 CYCLES = 1e8
 
 
-def heights(amplitude):
+def heights(amplitude, seed=11):
     """Random waves of 1.5 to 0.45 a, faded out at both ends; sqrt(2) Rq is the amplitude."""
-    x, random = np.arange(POINTS)/POINTS, np.random.default_rng(11)
+    x, random = np.arange(POINTS)/POINTS, np.random.default_rng(seed)
     waves = sum(np.cos(2*np.pi*n*x + random.uniform(0, 2*np.pi))/n for n in range(3, 11))
     waves *= np.sin(0.5*np.pi*np.clip(np.minimum(x, x[-1] - x)/0.15, 0, 1))**2
     return amplitude*waves/np.std(waves)/np.sqrt(2)
 
 
 class Stress(FolderTest):
-    def march(self, slip, trace):
+    def march(self, slip, trace, conditions, stress):
         """File of a march of the trace with fields over time."""
         write_simulation_surface(trace, self.folder/"trace.h5")
-        groups = {"conditions": CONDITIONS | {"slip_parameter": slip},
-                  "lubricant": {"flow_law": "eyring", "eyring_stress_pa": EYRING_PA},
+        groups = {"conditions": conditions | {"slip_parameter": slip},
+                  "lubricant": {"flow_law": "eyring", "eyring_stress_pa": stress},
                   "surface": {"file": "trace.h5"}, "grid": {"cells_x": 96, "cells_y": 64}, "output": {"fields_every": 3}}
         (self.folder/"case.nml").write_text(namelist(groups))
         outcome = run("case", "case.nml", "--quiet", "--output", "case.h5", folder=self.folder)
         self.check_status(outcome)
         return self.folder/"case.h5"
 
-    def compare(self, slip):
-        contact = Contact(**CONDITIONS, eyring_stress_pa=EYRING_PA, slip_parameter=slip)
+    def compare(self, slip, conditions=CONDITIONS, stress=EYRING_PA, amplitude=0.25, seed=11):
+        contact = Contact(**conditions, eyring_stress_pa=stress, slip_parameter=slip)
         a, film = contact.conditions.semi_axis_a_m, contact.film().central_m
-        trace = trace_surface(heights(0.25*film), LENGTH*a/POINTS)
+        trace = trace_surface(heights(amplitude*film, seed), LENGTH*a/POINTS)
         predicted = contact.stress(trace, form="none", ends="none")
-        case = self.march(slip, trace)
+        case = self.march(slip, trace, conditions, stress)
         for body, expected in enumerate(predicted.bodies, 1):
             own = slip if body == 1 else 2 - slip
             depths = expected.risk["z"].values
@@ -80,6 +81,9 @@ class Stress(FolderTest):
 
     def test_faster_rough_body(self):
         self.compare(1.2)
+
+    def test_slender_contact(self):
+        self.compare(1.4, SLENDER, 7e6, 0.2, 5)
 
     @unittest.skipUnless(IS_LONG, "EHLWAVE_LONG_TESTS is not set")
     def test_slower_rough_body(self):

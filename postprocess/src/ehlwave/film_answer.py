@@ -8,6 +8,7 @@ from ehlwave.answers import Film, given_film
 from ehlwave.atlas.chart import Chart
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
+from ehlwave.friction_range import friction_outside, slight_slip_error
 from ehlwave.heat_laws import Heated
 from ehlwave.heated_contact import heated
 from ehlwave.isothermal_friction import isothermal_error_by_data
@@ -45,7 +46,10 @@ def film_of(
         hertz_pa = c.alphabar / c.oil.pressure_viscosity_per_pa
         friction = c.peak_over_mean * film.stress * eyring_stress_pa / hertz_pa
         by_data = isothermal_error_by_data(c, film.central_moes, eyring_stress_pa)
-        friction_error = (1 + (film.stress_error or 0.0)) * (1 + by_data) - 1
+        own = (film.stress_error or 0.0) + slight_slip_error(c)
+        modulus_pa = (c.oil.stress_modulus_pa2 or math.nan) / eyring_stress_pa
+        own += friction_outside(c, film.central_moes, film.stress, modulus_pa)
+        friction_error = (1 + own) * (1 + by_data) - 1
     scale, more = c.metres_per_moes, thinned + c.oil_error
     central, source = film.central_moes * c.film_ratio, chart.film_source
     by_heat: Heated | None = None

@@ -33,8 +33,8 @@ from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts, reach
 
 Floats = NDArray[np.float64]
 
-AMPLITUDE_ERROR = 0.15
-"""Relative error of the ripple at that amplitude; it grows with the amplitude."""
+AMPLITUDE_ERROR = 0.2
+"""Relative error of the ripple at that amplitude, of both surfaces; it grows with the amplitude."""
 
 REACH = 2.0
 """Over the mean wave number of the pressure: depth where a third of the shear of a wave is left."""
@@ -157,7 +157,7 @@ def rough_stress(
     depths = _depths(conditions, ripples) if depths_m is None else depths_m
     near = max(REACH / _mean_number(conditions, ripples), float(depths.min()))
     hertz, rq = hertz_pressure_of(conditions), _rq(ripples)
-    amplitude = max(surface.statistics.amplitude_over_film or 0.0 for surface in surfaces)
+    amplitude = math.hypot(*(one.statistics.amplitude_over_film or 0.0 for one in surfaces))
     bar = _bar(ripples)
     error = math.hypot(bar, MODEL_ERROR, AMPLITUDE_ERROR * amplitude / LINEAR_LIMIT)
     tau_f = float(fatigue_shear(cycles))
