@@ -168,7 +168,8 @@ contains
       logical :: is_rolling
 
       is_rolling = .not. abs(plan%conditions%slip_parameter - 1) > 0
-      if (is_rolling .and. abs(result%shear%friction_coefficient) < no_friction) return
+      if (is_rolling .and. .not. ieee_is_finite(result%heat%isothermal_film) .and. &
+          abs(result%shear%friction_coefficient) < no_friction) return
       spread = grids_margin
       largest = most_friction_error
       if (result%film_error_basis == 'model') then
@@ -183,8 +184,9 @@ contains
       if (result%shear%cancellation > 1/epsilon(1.0_dp)) return
       ! stresses whose sum is nothing, as in pure rolling, are known to the tolerance each
       result%friction_error = max(result%friction_error, tolerance*result%shear%cancellation)
-      if (abs(result%shear%friction_coefficient) < no_friction) return
       if (result%friction_error > spread*largest) then
+         if (is_rolling) result%friction_error = no_value
+         if (abs(result%shear%friction_coefficient) < no_friction) return
          result%shear%friction_coefficient = no_value
          result%friction_error = no_value
          call add_warning(result, 'friction is not known on this grid, so none is given')
