@@ -4,7 +4,7 @@ Equation numbers are those of ``src/theory.md``.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -29,6 +29,7 @@ from ehlwave.contact.scales import (
     pressure_factor,
 )
 from ehlwave.errors import SurfaceError
+from ehlwave.extras import load
 from ehlwave.hints import did_you_mean, see
 from ehlwave.quantities import PLAUSIBLE, number
 from ehlwave.slip import RATIO, SLIP, refuse_both, slip_of
@@ -154,7 +155,9 @@ def moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
     radius_x, radius_y, modulus, load, speed, viscosity = (values[key] for key in DIMENSIONAL_KEYS)
     speed_2u = viscosity * 2 * speed / (modulus * radius_x)
     load_w = load / (modulus * radius_x**2)
-    d = _checked_ratio(radius_x / radius_y, place)
+    d = _checked_ratio(
+        radius_x / radius_y, f"{place}: radius_x_m = {radius_x:g} and radius_y_m = {radius_y:g}"
+    )
     kappa = ellipticity(d)
     radius = 1 / (1 / radius_x + 1 / radius_y)
     e = float(ellipe(1 - kappa**2))
@@ -171,7 +174,7 @@ def _complete(
 ) -> Conditions:
     """Add what follows from M, L, D and the lengths, eq. (1) to (6)."""
     m, l, d = (values[key] for key in MOES_KEYS)  # noqa: E741
-    d = _checked_ratio(d, place)
+    d = _checked_ratio(d, f"{place}: radius_ratio_d = {d:g}")
     semi_axis_a_m, film_m = values["semi_axis_a_m"], values.get("central_film_m")
     slip, oil = values.get("slip_parameter", 1.0), _oil(values, place)
     oil_error = _oil_error(values, m, l, d)
@@ -287,15 +290,15 @@ def _oil(values: Mapping[str, float], place: str) -> Oil:
     return Oil(alpha, index, values[given[0]] * values["reduced_modulus_pa"], exponent)
 
 
-def _checked_ratio(d: float, place: str) -> float:
+def _checked_ratio(d: float, given: str) -> float:
     """Return D, 1 where radii are equal but for round-off; refuse what is out of range."""
     if abs(d - 1) <= ROUND_OFF:
         return 1.0
     if d != 0 and not SMALLEST_RADIUS_RATIO <= d <= 1:
         raise SurfaceError(
-            f"{place}: D = Rx/Ry = {d:.6g} must lie in {SMALLEST_RADIUS_RATIO} to 1, or be 0 (line "
-            "contact); for Rx > Ry the contact is wider along rolling, which is outside the "
-            "model's range"
+            f"{given}: D = Rx/Ry = {d:.10g} must lie in {SMALLEST_RADIUS_RATIO} to 1, or be 0 "
+            "(line contact); for Rx > Ry the contact is wider along rolling, which is outside the "
+            f"model's range{see('keys')}"
         )
     return d
 
@@ -329,24 +332,31 @@ def _refuse_contradiction(values: Mapping[str, float], found: Conditions, place:
         )
 
 
+def unknown_key(key: str, known: Sequence[str]) -> str:
+    """Return what is to be said of a key that a contact does not take."""
+    what = f"unknown key {key}{did_you_mean(key, known)}"
+    if key in load("ehlwave.keys").CaseKeys.__annotations__:
+        what = f"{key} is a key of ehlwave.Case and input files, which is not taken here"
+    return f"{what}; known are {', '.join(known)}"
+
+
 def _checked(keys: Mapping[str, Any], place: str) -> dict[str, float]:
     refuse_both(keys, place)
     values: dict[str, float] = {}
     for key, value in keys.items():
         if key not in KNOWN_KEYS:
-            raise SurfaceError(
-                f"{place}: unknown key {key}{did_you_mean(key, KNOWN_KEYS)}; known are "
-                f"{', '.join(KNOWN_KEYS)}{see('keys')}"
-            )
+            raise SurfaceError(f"{place}: {unknown_key(key, KNOWN_KEYS)}{see('keys')}")
         found = number(value, key, place)
         if key == RATIO:
-            key, found = "slip_parameter", slip_of(found)
-        lowest_is_zero = key in ("slip_parameter", "radius_ratio_d", *DATA_ERRORS)
+            key, found = SLIP, slip_of(found)
+        lowest_is_zero = key in (SLIP, "radius_ratio_d", *DATA_ERRORS)
+        if key == SLIP and not 0 <= found <= 2:
+            raise SurfaceError(f"{place}: {SLIP} = {value} must lie in 0 to 2{see('slip')}")
         if found < 0 or (found == 0 and not lowest_is_zero):
-            raise SurfaceError(f"{place}: {key} = {value} must be above 0")
+            raise SurfaceError(
+                f"{place}: {key} = {value} must be {'at least' if lowest_is_zero else 'above'} 0"
+            )
         if key in DATA_ERRORS and found >= 1:
             raise SurfaceError(f"{place}: {key} = {value} is relative: 0.1 is 10 %; give 0 to 1")
         values[key] = found
-    if values.get("slip_parameter", 1.0) > 2:
-        raise SurfaceError(f"{place}: slip_parameter = {keys['slip_parameter']} must lie in 0 to 2")
     return values
