@@ -64,6 +64,8 @@ module ehlwave_film_errors
    !> cases that said 1 to 10 with a second grid were off by less.
    real(dp), parameter :: most_friction_error = 10
    real(dp), parameter :: rolling_margin = 2.5_dp      !! of the model, of friction by pure rolling
+   !> The same of levels: of 82 random frictions by heat, 11 were off by 1.2 to 1.6 times their estimate.
+   real(dp), parameter :: rolling_levels_margin = 1.5_dp
    real(dp), parameter :: no_friction = 1e-8_dp   !! of pure rolling, by round-off
 
    !> Error by the edges of a flooded domain, over that of the film at the centre: of 152 random smallest films, on
@@ -177,6 +179,8 @@ contains
          spread = spread*spike_factor(result%max_pressure)
          if (is_rolling) spread = rolling_margin*spread
          largest = 1
+      else if (is_rolling) then
+         spread = rolling_levels_margin*spread
       end if
       result%friction_error = spread*estimate_friction_error(levels, stress, averaged_error(plan, result))
       if (.not. ieee_is_finite(result%friction_error)) return
