@@ -19,6 +19,7 @@ from ehlwave.app.shown import failure, headline, numbers
 from ehlwave.app.task import Task, answered
 from ehlwave.app.uploads import LARGEST_BYTES, Upload, file_name, read_upload
 from ehlwave.app.work import SMALL_BYTES, Pools
+from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.deform.read import ReadOptions
 from ehlwave.errors import SurfaceError
 
@@ -88,6 +89,36 @@ def test_the_saved_script_and_document_repeat_the_film() -> None:
     assert f"{answer.film.central_m * 1e6:.4g} um" in headline(answer)
     for name in ("Central", "Minimum error", "Friction"):
         assert name in numbers(answer)
+
+
+def test_heat_and_starvation_are_answered() -> None:
+    ball = {"material": "steel", "radius_x_m": 0.0127, "radius_y_m": 0.0127}
+    sheet = {"iso_vg": 68.0, "temperature_k": 333.15, "kind": "mineral"}
+    keys = {"load_n": 40.0, "speeds_m_per_s": (4.2, 3.8), "eyring_stress_pa": 5e6, "heat": True}
+    warm = answered(Task(Given(keys, (ball, {"material": "steel"}), sheet, "from_grade")))
+    names: dict[str, object] = {}
+    exec(script(warm), names)
+    assert names["film"] == warm.film
+    assert warm.film.heated is not None
+    assert "With heat" in numbers(warm)
+    assert json.loads(document(warm))["film"]["heated"]["friction"] == warm.film.heated.friction
+    starved = answered(Task(Given(LOADED_BALL | {"oil_over_flooded": 0.5})))
+    assert starved.film == ehlwave.Contact(**LOADED_BALL, oil_over_flooded=0.5).film()
+
+
+def test_the_page_asks_for_all_that_contacts_are_given_by() -> None:
+    every = [one for one in vars(quantities).values() if isinstance(one, quantities.Quantity)]
+    every += [
+        one for group in vars(quantities).values() if isinstance(group, tuple) for one in group
+    ]
+    asked = {one.key for one in every if isinstance(one, quantities.Quantity)}
+    other_words = {
+        "central_film_m",
+        "slip_parameter",
+        "viscosity_error",
+        "pressure_viscosity_error",
+    }
+    assert set(KNOWN_KEYS) - asked == other_words
 
 
 def test_messages_are_those_of_the_command_line_and_name_a_field() -> None:

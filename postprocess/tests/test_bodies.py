@@ -1,6 +1,7 @@
 """Two bodies make the contact that their reduced radii and modulus make."""
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -120,6 +121,41 @@ def test_where_no_one_quantity_leads_inside_several_do() -> None:
     words = str(caught.value).split("the nearest inside the atlas has ")[1].split()
     numbers = [float(words[i + 1]) for i, word in enumerate(words) if word == "="]
     assert film(*numbers).central_m
+
+
+def test_all_that_messages_call_inside_is() -> None:
+    rng = np.random.default_rng(7)
+
+    def drawn(low: float, high: float) -> float:
+        return float(np.exp(rng.uniform(np.log(low), np.log(high))))
+
+    kinds: list[str] = []
+    for _ in range(30):
+        radius = drawn(1e-4, 1)
+        keys = {
+            "radius_x_m": radius,
+            "radius_y_m": radius * drawn(1, 90),
+            "load_n": drawn(1e-4, 1e7),
+        }
+        keys |= {"mean_speed_m_per_s": drawn(1e-6, 250), "viscosity_pa_s": drawn(1e-4, 10)}
+        keys |= {"reduced_modulus_pa": drawn(1e9, 6e11)}
+        keys |= {"pressure_viscosity_per_pa": drawn(5e-9, 4e-8)}
+        try:
+            ehlwave.Contact(**keys).film()
+            continue
+        except RangeError as error:
+            said = str(error)
+        one = re.findall(
+            r"(?:^|, or )(\w+) (?:= \S+ gives .* atlas holds|of) (\S+) to (\S+) ", said
+        )
+        words = said.partition("the nearest inside the atlas has ")[2].split("; or compute")[0]
+        several = {key: float(end) for key, end in re.findall(r"(\w+) = (\S+)", words)}
+        changes = [{key: float(end)} for key, *ends in one for end in ends]
+        changes += [several] if several else []
+        kinds += ["several" if several else "one"] * bool(changes)
+        for change in changes:
+            assert ehlwave.Contact(**keys | change).film().central_m, (said, change)
+    assert {"one", "several"} == set(kinds)
 
 
 def test_reduced_radii_are_called_so() -> None:

@@ -96,6 +96,18 @@ def test_commas_between_thousands_are_not_decimals(tmp_path: Path) -> None:
         heights(write(tmp_path, "1;0.5", "2;0.7", "3;0.1"), **options, decimal="comma")
 
 
+def test_one_column_with_commas_between_thousands(tmp_path: Path) -> None:
+    rough = [1234, 1345, 1456, 999, 987, 1067, 1003, 1004]
+    path = write(tmp_path, *(f"{height:,}" for height in rough))
+    with pytest.raises(SurfaceError, match=r"with a comma between thousands: say which"):
+        heights(path, **STEP)
+    np.testing.assert_allclose(heights(path, **STEP, decimal="point"), rough)
+    decimals = [height / 1000 if abs(height) > 999 else height for height in rough]
+    np.testing.assert_allclose(heights(path, **STEP, decimal="comma"), decimals)
+    columns = write(tmp_path, "x_um,z_nm", *(f"{x},{100 + x}" for x in range(2, 10)))
+    np.testing.assert_allclose(heights(columns), np.arange(102, 110))
+
+
 def test_a_step_that_contradicts_the_file_is_refused(tmp_path: Path) -> None:
     lines = [f"{2 * k},{height}" for k, height in enumerate(HEIGHTS)]
     path = write(tmp_path, "x_um,z_nm", *lines)

@@ -37,6 +37,19 @@ def assert_trace(surface: Surface, step: float = 2e-6) -> None:
     np.testing.assert_allclose(surface.height[:, 0], HEIGHTS * 1e-6, rtol=1e-11)
 
 
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "latin-1"])
+def test_text_as_other_programs_write_it(tmp_path: Path, encoding: str) -> None:
+    path, mark = tmp_path / "t.txt", "\ufeff" * (encoding == "utf-16-le")
+    text = (
+        f"{mark}x (\u00b5m);h\u00f6he (\u00b5m)\n{rows(2 * np.arange(40), HEIGHTS, separator=';')}"
+    )
+    path.write_text(text, encoding=encoding)
+    assert_trace(read_surface(path))
+    path.write_bytes(b"\xff\xfe1\x002")
+    with pytest.raises(SurfaceError, match="UTF-16"):
+        read_surface(path)
+
+
 @pytest.mark.parametrize(
     ("heading", "factor_x", "factor_z"),
     [

@@ -33,6 +33,8 @@ def test_the_program_refuses_the_same_values() -> None:
     for name in PLAIN.keys() - {"load_n", "mean_speed_m_per_s"}:  # open for studies by M and L
         bounds = table.loc[name, ["minimum", "maximum"]].tolist()
         assert bounds == [PLAUSIBLE[name].low, PLAUSIBLE[name].high], name
+    for name in ("eyring_stress_pa", "carreau_modulus_pa"):  # the largest are Newtonian
+        assert table.loc[name, "minimum"] == PLAUSIBLE[name].low, name
 
 
 def test_every_unit_is_one_of_pint() -> None:

@@ -278,6 +278,19 @@ WRONG = [
         {"oil": sheet(), "viscosity_pa_s": REMOVED},
     ),
     value(balls, "speeds_m_per_s", 0.5, "(0.5, 0.5)"),
+    Wrong(balls, {"speeds_m_per_s": (1, 2, 3)}, "(1, 2, 3)", "(1, 1)", {"speeds_m_per_s": (1, 1)}),
+    Wrong(balls, {"speeds_m_per_s": None}, "speeds_m_per_s is missing", "two bodies need", {}),
+    Wrong(balls, {"flow_law": "newtonian"}, "flow_law is a key of ehlwave.Case", "known are", {}),
+    value(film, "slip_parameter", -0.1, "0", "0 to 2"),
+    value(film, "viscosity_error", -0.1, "0", "must be at least 0"),
+    Wrong(
+        film,
+        {"radius_y_m": 0.0127 / (1 + 1e-9)},
+        "D = Rx/Ry = 1.000000001",
+        "0.005 to 1",
+        {"radius_y_m": 0.0127},
+    ),
+    Wrong(film, {"radius_x_m": 0.5}, "radius_x_m = 0.5 and radius_y_m = 0.0127", "0.005 to 1", {}),
     value(balls, "speeds_m_per_s", (0.5, -0.5), "(0.5, 0.5)"),
     value(balls, "speeds_m_per_s", (0, 0), "(1, 1)"),
     value(balls, "speeds_m_per_s", (0.6, -0.3), "(0.6, 0.3)"),
@@ -305,7 +318,9 @@ WRONG = [
     ),
     value(race, "osculation", 0.4, "0.52"),
     value(race, "pitch_diameter_m", 0.006, "0.04"),
-    value(race, "element_diameter_m", 7.94, "0.00794"),
+    value(race, "pitch_diameter_m", 39, "0.039"),
+    value(race, "element_diameter_m", 8, "0.008"),
+    value(race, "element_diameter_m", -0.008, "0.008", "must be above 0"),
     Wrong(
         sheet,
         {"temperature_k": REMOVED},
@@ -315,6 +330,13 @@ WRONG = [
     ),
     Wrong(sheet, {"iso_vg": REMOVED}, "iso_vg is missing", "such as 68", {"iso_vg": 68}),
     value(sheet, "viscosity_index", 900, "95"),
+    Wrong(
+        sheet,
+        {"pressure_viscosity_per_pa": 2e-8, "pressure_viscosity_error": 10},
+        "pressure_viscosity_error = 10",
+        "0.1",
+        {"pressure_viscosity_per_pa": 2e-8, "pressure_viscosity_error": 0.1},
+    ),
     value(sheet, "viscosity_100c_mm2_per_s", 70, "8.53"),
     Wrong(
         sheet,
@@ -441,6 +463,8 @@ HEAT += ("oil_heat_capacity_j_per_kg_k", "oil_density_kg_per_m3")
 JUNK = (None, "abc", "", True, float("nan"), float("inf"), -1, 0, 3 + 1j, [1, 2], np.array([1, 2]))
 JUNK += ({}, object(), b"x", (2.2, None), ("a", "b"), 699.9)
 DOORS = [
+    (case, ("load_n", "cells_x", "orientation")),
+    (ehlwave.Study, ("grid",)),
     (response, ("wavelength_over_a", "angle_deg", "slip_parameter", "slide_to_roll_ratio")),
     (rough, ("step", "step_across", "cutoffs_m", "length_unit", "form", "surface")),
     (trace_of, ("height", "step_m", "axis")),

@@ -52,10 +52,10 @@ contains
       call list%see(oil%flow_law, key_t('flow_law', "shear rate against shear stress; 'eyring': Ree-Eyring, "// &
          'sinh(tau/tau0) tau0/eta', choices=flow_laws))
       call belong(list, 'flow_law', eyring, oil%flow_law)
-      call list%see(oil%eyring_stress_pa, key_t('eyring_stress_pa', 'Eyring stress tau0', unit='Pa', above=0.0_dp))
+      call list%see(oil%eyring_stress_pa, key_t('eyring_stress_pa', 'Eyring stress tau0', unit='Pa', minimum=1e4_dp))
       call belong(list, 'flow_law', carreau, oil%flow_law)
       call list%see(oil%carreau_modulus_pa, key_t('carreau_modulus_pa', 'stress G at which thinning begins', &
-         unit='Pa', above=0.0_dp))
+         unit='Pa', minimum=1e2_dp))
       call list%see(oil%carreau_exponent, key_t('carreau_exponent', 'exponent n of the shear rate; 1: Newtonian', &
          minimum=0.1_dp, maximum=1.0_dp))
       list%common = key_t(is_late=.true.)

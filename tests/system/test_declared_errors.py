@@ -32,6 +32,12 @@ HOT = {"conditions": {"radius_x_m": 0.01, "radius_y_m": 0.0103252, "reduced_modu
        "heat": {"oil_conductivity_w_per_m_k": 0.1352, "oil_heat_capacity_j_per_kg_k": 2193, "oil_density_kg_per_m3": 913.8,
                 "viscosity_temperature_per_k": 0.05999, "body2_conductivity_w_per_m_k": 44.95, "body2_density_kg_per_m3": 6932},
        "grid": {"cells_x": 64, "cells_y": 24}}
+WARM_ROLLING = {"conditions": {"radius_x_m": 0.01, "radius_y_m": 0.0621891, "reduced_modulus_pa": 2.26e11, "load_n": 5.64617,
+                               "mean_speed_m_per_s": 0.144324, "viscosity_pa_s": 0.04},
+                "lubricant": {"density_law": "incompressible", "flow_law": "eyring", "eyring_stress_pa": 161700, "temperature_k": 316.2},
+                "heat": {"oil_conductivity_w_per_m_k": 0.1209, "oil_heat_capacity_j_per_kg_k": 2286, "oil_density_kg_per_m3": 920.5,
+                         "viscosity_temperature_per_k": 0.04635, "body_heat_capacity_j_per_kg_k": 756.1, "body2_density_kg_per_m3": 3189},
+                "grid": {"cells_x": 48, "cells_y": 40, "edges": "truncated"}}
 
 
 class DeclaredErrors(unittest.TestCase):
@@ -62,6 +68,9 @@ class DeclaredErrors(unittest.TestCase):
 
     def test_friction_with_the_fitted_scheme_and_no_coarser_grid(self):
         self.check_against({"central_film": 0.178395, "minimum_film": 0.138555, "friction_coefficient": -0.000259728}, FITTED)
+
+    def test_friction_of_warm_oil_in_pure_rolling(self):
+        self.check_on_twice_the_cells(WARM_ROLLING, cells_x=48, cells_y=40)
 
     def test_film_with_the_fitted_scheme_and_grids_that_agree_by_chance(self):
         conditions = {"load_parameter_m": 221.3, "lubricant_parameter_l": 2.328, "radius_ratio_d": 0.8511}

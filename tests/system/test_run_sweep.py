@@ -35,7 +35,7 @@ class RunSweep(FolderTest):
     def sweep(self, *arguments, ranks=1, before=None):
         """Run the sweep by this launcher."""
         variables = {"EHLWAVE_LAUNCHER": "./launcher", "EHLWAVE_PATIENCE": "1"}
-        return subprocess.run([SCRIPT, "--ranks", str(ranks), "sweep.nml", *arguments], cwd=self.folder, text=True, capture_output=True,
+        return subprocess.run([SCRIPT, "sweep.nml", "--ranks", str(ranks), *arguments], cwd=self.folder, text=True, capture_output=True,
                               check=False, timeout=HANGS_S, env={**os.environ, **variables}, preexec_fn=before)
 
     def test_a_launcher_that_locks_up_is_killed(self):

@@ -192,7 +192,7 @@ class Study(Shown):
             given = {key: value for key, value in grid.items() if key not in lists} | given
             grouped(lists)  # for its check
         else:
-            lists, self.rows = {}, pd.DataFrame(grid)
+            lists, self.rows = {}, _rows(grid)
             for key in self.rows.columns.drop(LABEL, errors="ignore"):
                 if self.rows[key].dtype != object:
                     continue
@@ -307,6 +307,16 @@ class Study(Shown):
             )
             sweep["case_file"] = str(table)
         return namelist({**self.groups, "sweep": sweep})
+
+
+def _rows(grid: Any) -> pd.DataFrame:  # noqa: ANN401 - what users give
+    try:
+        return pd.DataFrame(grid)
+    except (TypeError, ValueError):
+        raise ProgramError(
+            f"Study: {grid!r:.60}: give a mapping of keys, a table or a list of mappings; of a "
+            "file pandas.read_csv(FILE)"
+        ) from None
 
 
 def grouped(keys: Mapping[str, Any]) -> dict[str, dict[str, Any]]:

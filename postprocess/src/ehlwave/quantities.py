@@ -59,7 +59,7 @@ PLAUSIBLE = {
     "radius_y_m": _RADIUS_ACROSS,
     "ball_diameter_m": _RADIUS,
     "element_diameter_m": _RADIUS,
-    "pitch_diameter_m": Plausible(1e-4, 50, (1e-2, 5)),
+    "pitch_diameter_m": Plausible(1e-4, 10, (1e-2, 5)),
     "length_m": Plausible(1e-6, 10, (1e-4, 1)),
     "reduced_modulus_pa": _MODULUS,
     "elastic_modulus_pa": _MODULUS,
@@ -73,6 +73,7 @@ PLAUSIBLE = {
     "viscosity_100c_mm2_per_s": _KINEMATIC,
     "density_15c_kg_per_m3": Plausible(300, 3000, (700, 1300)),
     "pressure_viscosity_per_pa": Plausible(1e-10, 1e-6, (5e-9, 5e-8)),
+    "pressure_viscosity_error": Plausible(0, 1, (1e-3, 1), _PER_CENT),
     "eyring_stress_pa": Plausible(1e4, 1e9, (1e6, 5e7)),
     "carreau_modulus_pa": Plausible(1e2, 1e9, (1e4, 1e8)),
     "temperature_k": Plausible(200, 700, (250, 500)),
@@ -145,8 +146,8 @@ def number(value: Any, name: str, place: str = "") -> float:  # noqa: ANN401 - w
         raise SurfaceError(f"{start}{name} = {value} is not a number")
     try:
         found = float(plain(value, name))
-    except (TypeError, ValueError):
-        raise SurfaceError(f"{start}{name} = {value!r} is not a number") from None
+    except (TypeError, ValueError, OverflowError):
+        raise SurfaceError(f"{start}{name} = {value!r:.60} is not a number") from None
     if not math.isfinite(found):
         raise SurfaceError(f"{start}{name} = {value} is not a finite number")
     if not has_unit:
@@ -159,6 +160,8 @@ def in_si(value: Any, name: str) -> Any:  # noqa: ANN401 - a value, or a list of
     found = plain(value, name)
     if not is_quantity(value):
         for one in found if isinstance(found, (list, tuple)) else [found]:
+            if isinstance(one, (bytes, bytearray)):  # lists of their codes in a namelist
+                raise SurfaceError(f"{name} = {one!r:.60} is bytes: give a number, or text")
             if isinstance(one, (int, float)) and not isinstance(one, bool):
                 question(one, name)
     return found

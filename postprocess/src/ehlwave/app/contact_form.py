@@ -23,6 +23,7 @@ from ehlwave.contact.materials import MATERIALS
 BODIES, MOES = "Two bodies", "M, L, D"
 KINDS = {"Reduced": q.REDUCED, "Line": q.LINE, MOES: q.MOES}
 OWN = "own values"
+ISOTHERMAL, WITH_HEAT = "isothermal", "with heat (oil by data sheet)"
 
 
 class BodyForm:
@@ -69,11 +70,12 @@ class ContactForm:
             margin=(6, 4),
         )
         self.bodies = [BodyForm("Body 1, the rough one", "12.7"), BodyForm("Body 2", "")]
-        self.loads = [NumberField(one) for one in (q.LOAD, q.LINE_LENGTH)]
+        self.loads = [NumberField(one) for one in (q.LOAD, q.LINE_LENGTH, q.STARVED)]
+        self.heat = select("Film and friction", [ISOTHERMAL, WITH_HEAT])
         self.fields = {kind: [NumberField(one) for one in each] for kind, each in KINDS.items()}
         self.views = {kind: in_rows(f.view for f in each) for kind, each in self.fields.items()}
         both = in_rows(body.view for body in self.bodies)
-        self.views[BODIES] = column(both, in_rows(one.view for one in self.loads))
+        self.views[BODIES] = column(both, in_rows([*(one.view for one in self.loads), self.heat]))
         self.oil = OilForm()
         self.kind.param.watch(self._show, "value")
         self._show()
@@ -101,6 +103,7 @@ class ContactForm:
             return Given(**found | {"keys": keys | found["keys"]})
         speeds = [body.speed.given().get("speeds_m_per_s", "") for body in self.bodies]
         keys = given_by(self.loads) | {"speeds_m_per_s": tuple(speeds)} | found["keys"]
+        keys |= {"heat": True} if self.heat.value == WITH_HEAT else {}
         first, second = (body.given() for body in self.bodies)
         return Given(**found | {"keys": keys, "bodies": (first, second)})
 
@@ -111,4 +114,4 @@ class ContactForm:
         for each in self.fields.values():
             every += each
         own = [widget for one in (*self.bodies, self.oil) for widget in one.widgets]
-        return [self.kind, *own, *widgets_of(every)]
+        return [self.kind, self.heat, *own, *widgets_of(every)]

@@ -75,7 +75,14 @@ RATIO = Quantity(
     {},
     "(u1 - u2)/mean speed; surface 1 is the rough one.",
 )
-REDUCED = (RADIUS_X, RADIUS_Y, MODULUS, LOAD, SPEED, RATIO)
+STARVED = Quantity(
+    "oil_over_flooded",
+    "Oil offered over flooded",
+    "",
+    {},
+    "Over the oil that the flooded contact passes. Blank: flooded.",
+)
+REDUCED = (RADIUS_X, RADIUS_Y, MODULUS, LOAD, SPEED, RATIO, STARVED)
 LINE = (RADIUS_X, MODULUS, LINE_LOAD, SPEED, RATIO)
 MOES = (
     Quantity("load_parameter_m", "Load parameter M", "100"),
@@ -84,6 +91,7 @@ MOES = (
     Quantity("semi_axis_a_m", "Hertz semi-axis a", "0.2", LENGTHS, "Along rolling; for a trace."),
     Quantity("radius_x_m", "Reduced radius along rolling", "12.7", LENGTHS, "For lengths."),
     RATIO,
+    STARVED,
 )
 VISCOSITY = Quantity(
     "viscosity_pa_s",

@@ -49,7 +49,8 @@ def headline(answer: Answer) -> str:
 
 def numbers(answer: Answer) -> str:
     """Return tables of everything that the film and the statistics of the surface say."""
-    parts: list[tuple[str, Any]] = [("Smooth contact", answer.film)]
+    heated = None if answer.film is None else answer.film.heated
+    parts: list[tuple[str, Any]] = [("Smooth contact", answer.film), ("With heat", heated)]
     if answer.found is not None:
         parts.append(("Surface in the contact", answer.found.statistics))
     tables = [table(title, rows(part)) for title, part in parts if part is not None]

@@ -30,6 +30,9 @@ COSTS = {
 }
 """Quantities in the order in which people would change them, and how much they would mind."""
 
+FREE = ("load_parameter_m", "lubricant_parameter_l")
+"""Coordinates that limits of a kind are about."""
+
 LETTERS = {"load_parameter_m": "M", "lubricant_parameter_l": "L", "radius_ratio_d": "D"}
 STRESS = "stress_modulus_pa2"
 NOWHERE = "no change of what it was given by leads into the atlas"
@@ -39,6 +42,8 @@ _TRIED = 200
 """Values of an interval at which limits are looked at."""
 _HALVINGS = 6
 """Of the step between two of them, by which an end is found."""
+_SHARES = (0.0, 0.1, 0.2, 0.3, 0.4)
+"""Of the ranges, left free at their ends in turn, until a contact is inside all limits."""
 _LARGEST_CHANGE = 1e3
 """Of one quantity; beyond it the smallest change of several is said."""
 
@@ -63,10 +68,14 @@ def refuse_outside(contact: Conditions, kind: Kind) -> None:
     }
     names = {key: (name, factor) for key, name, factor in contact.names}
     texts = [
-        (key, given[key] * ends[0], given[key] * ends[1])
+        (key, *_plausible(key, given[key] * ends[0], given[key] * ends[1]))
         for key, ends in single.items()
-        if ends is not None and _is_plausible(key, given[key], ends)
+        if ends is not None
     ]
+    texts = [one for one in texts if one[1] < one[2]]
+    texts = [one for one in texts if _is_small(given[one[0]], *one[1:])] or (
+        texts if _nearest(place, given, powers, kind, names) == NOWHERE else []
+    )
     said = beyond or ", ".join(_coordinate(key, place[key], ranges[key]) for key in wrong)
     if texts:
         first, low, high = texts[0]
@@ -180,11 +189,14 @@ def _within_limits(
     return ends[0], ends[1]
 
 
-def _is_plausible(key: str, value: float, factors: tuple[float, float]) -> bool:
+def _plausible(key: str, low: float, high: float) -> tuple[float, float]:
+    """Return the part of a range that contacts have."""
     known = PLAUSIBLE[key]
-    if max(factors[0], 1 / factors[1]) > _LARGEST_CHANGE:
-        return False
-    return value * factors[0] <= known.high and value * factors[1] >= known.low
+    return max(low, known.low), min(high, known.high)
+
+
+def _is_small(value: float, low: float, high: float) -> bool:
+    return max(low / value, value / high) <= _LARGEST_CHANGE
 
 
 def _nearest(
@@ -197,32 +209,47 @@ def _nearest(
     """Return the smallest change of several quantities that leads inside, by linear programming.
 
     Logarithms of coordinates are linear in those of quantities. What people would change last
-    counts most, and few are changed, since a corner is found.
+    counts most, and few are changed, since a corner is found. Where a limit of the kind excludes
+    it, the ends of M and L are left free.
     """
     keys = list(powers)
     ranges = {key: ends for key, ends in kind.ranges.items() if key != SLIP}  # may begin at 0
     matrix = np.array([[powers[key].get(name, 0.0) for key in keys] for name in ranges])
     now = np.log([place[name] for name in ranges])
     low, high = (np.log([ends[i] for ends in ranges.values()]) for i in (0, 1))
-    room = np.minimum(_MARGIN, 0.25 * (high - low))
-    # What is inside may stay where it is, at an end, too: circular contacts have D = 1.
-    most = np.where(now <= high, np.maximum(high - room, now), high - room)
-    least = np.where(now >= low, np.minimum(low + room, now), low + room)
-    upper = np.concatenate([most - now, now - least]) + 1e-12
-    cost = np.array([COSTS[key] for key in keys])
+    is_free = np.array([name in FREE for name in ranges])
+    changes = [(PLAUSIBLE[key].high / given[key], given[key] / PLAUSIBLE[key].low) for key in keys]
+    bounds = [(0.0, math.log(max(change[i], 1.0))) for i in (0, 1) for change in changes]
     both = np.vstack([matrix, -matrix])
-    found = linprog(np.tile(cost, 2), A_ub=np.hstack([both, -both]), b_ub=upper, method="highs")
-    if not found.success:
-        return NOWHERE
-    steps = found.x[: len(keys)] - found.x[len(keys) :]
-    there = np.exp(now + matrix @ steps).tolist()
-    if kind.beyond({**place, **dict(zip(ranges, there, strict=True))}):
+    sides, cost = np.hstack([both, -both]), np.tile([COSTS[key] for key in keys], 2)
+    for share in _SHARES:
+        room = np.maximum(share * (high - low), np.minimum(_MARGIN, 0.25 * (high - low)))
+        # What is inside may stay where it is, at an end, too: circular contacts have D = 1.
+        stays = (share == 0) | ~is_free
+        most = np.where(stays & (now <= high), np.maximum(high - room, now), high - room)
+        least = np.where(stays & (now >= low), np.minimum(low + room, now), low + room)
+        upper = np.concatenate([most - now, now - least]) + 1e-12
+        found = linprog(cost, A_ub=sides, b_ub=upper, bounds=bounds, method="highs")
+        if not found.success:
+            continue
+        steps = np.exp(found.x[: len(keys)] - found.x[len(keys) :]).tolist()
+        said = {
+            key: f"{given[key] * names.get(key, (key, 1.0))[1] * step:.{_DIGITS}g}"
+            for key, step in zip(keys, steps, strict=True)
+            if abs(step - 1) > 1e-9
+        }
+        there = dict(place)
+        for key, text in said.items():
+            factor = names.get(key, (key, 1.0))[1]
+            there = _moved(there, powers[key], float(text) / (given[key] * factor))
+        if not kind.beyond(there):
+            break
+    else:
         return NOWHERE
     parts = []
-    for key, step in zip(keys, steps, strict=True):
-        if abs(step) > 1e-9:
-            name, factor = names.get(key, (key, 1.0))
-            parts.append(f"{name} = {given[key] * factor * math.exp(step):.3g} {_unit(key, name)}")
+    for key, text in said.items():
+        name = names.get(key, (key, 1.0))[0]
+        parts.append(f"{name} = {text} {_unit(key, name)}")
     return f"the nearest inside the atlas has {' and '.join(parts)}"
 
 

@@ -121,8 +121,8 @@ class Body:
         >>> ehlwave.Body.ball(19.05e-3, material="steel")
         Body(Rx = 9.525 mm, Ry = 9.525 mm, E = 206 GPa, nu = 0.3)
         """
-        radius = number(ball_diameter_m, "ball_diameter_m", "Body.ball") / 2
-        return cls(radius, radius, **elastic)
+        d = _diameter(ball_diameter_m, "ball_diameter_m", "Body.ball")
+        return cls(d / 2, d / 2, **elastic)
 
     @classmethod
     def inner_race(
@@ -203,6 +203,13 @@ def _radius(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
     return radius
 
 
+def _diameter(value: Any, name: str, place: str) -> float:  # noqa: ANN401
+    found = number(value, name, place)
+    if found <= 0:
+        raise SurfaceError(f"{place}: {name} = {value} must be above 0{see('bodies')}")
+    return found
+
+
 def _race(
     diameter: Any,  # noqa: ANN401
     pitch: Any,  # noqa: ANN401
@@ -210,7 +217,7 @@ def _race(
     angle_deg: Any,  # noqa: ANN401
 ) -> tuple[float, float, float]:
     """Return the diameter, the pitch diameter over the cosine, and the radius of the groove."""
-    d = number(diameter, "element_diameter_m", "Body")
+    d = _diameter(diameter, "element_diameter_m", "Body")
     dm = number(pitch, "pitch_diameter_m", "Body")
     if dm <= d:
         raise SurfaceError(

@@ -1,7 +1,7 @@
 """Conditions of a contact from the keys of an input file of ``ehlwave-case``."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ehlwave.contact.conditions import MOES_KEYS, Conditions
@@ -11,6 +11,7 @@ from ehlwave.contact.line_contact import LINE_KEYS, LOAD_KEY
 from ehlwave.contact.moes_parameters import DIMENSIONAL_KEYS, moes_values
 from ehlwave.contact.oil_keys import OIL_KEYS
 from ehlwave.errors import SurfaceError
+from ehlwave.extras import load
 from ehlwave.hints import did_you_mean, see
 from ehlwave.quantities import PLAUSIBLE, number
 from ehlwave.slip import RATIO, SLIP, refuse_both, slip_of
@@ -141,24 +142,31 @@ def _refuse_contradiction(values: Mapping[str, float], found: Conditions, place:
         )
 
 
+def unknown_key(key: str, known: Sequence[str]) -> str:
+    """Return what is to be said of a key that a contact does not take."""
+    what = f"unknown key {key}{did_you_mean(key, known)}"
+    if key in load("ehlwave.keys").CaseKeys.__annotations__:
+        what = f"{key} is a key of ehlwave.Case and input files, which is not taken here"
+    return f"{what}; known are {', '.join(known)}"
+
+
 def _checked(keys: Mapping[str, Any], place: str) -> dict[str, float]:
     refuse_both(keys, place)
     values: dict[str, float] = {}
     for key, value in keys.items():
         if key not in KNOWN_KEYS:
-            raise SurfaceError(
-                f"{place}: unknown key {key}{did_you_mean(key, KNOWN_KEYS)}; known are "
-                f"{', '.join(KNOWN_KEYS)}{see('keys')}"
-            )
+            raise SurfaceError(f"{place}: {unknown_key(key, KNOWN_KEYS)}{see('keys')}")
         found = number(value, key, place)
         if key == RATIO:
-            key, found = "slip_parameter", slip_of(found)
-        lowest_is_zero = key in ("slip_parameter", "radius_ratio_d", *DATA_ERRORS)
+            key, found = SLIP, slip_of(found)
+        lowest_is_zero = key in (SLIP, "radius_ratio_d", *DATA_ERRORS)
+        if key == SLIP and not 0 <= found <= 2:
+            raise SurfaceError(f"{place}: {SLIP} = {value} must lie in 0 to 2{see('slip')}")
         if found < 0 or (found == 0 and not lowest_is_zero):
-            raise SurfaceError(f"{place}: {key} = {value} must be above 0")
+            raise SurfaceError(
+                f"{place}: {key} = {value} must be {'at least' if lowest_is_zero else 'above'} 0"
+            )
         if key in DATA_ERRORS and found >= 1:
             raise SurfaceError(f"{place}: {key} = {value} is relative: 0.1 is 10 %; give 0 to 1")
         values[key] = found
-    if values.get("slip_parameter", 1.0) > 2:
-        raise SurfaceError(f"{place}: slip_parameter = {keys['slip_parameter']} must lie in 0 to 2")
     return values

@@ -42,7 +42,7 @@ def conditions_from_moes(
     key and value as they were given.
     """
     m, l, d = (values[key] for key in MOES_KEYS)  # noqa: E741
-    d = checked_ratio(d, place)
+    d = checked_ratio(d, f"{place}: radius_ratio_d = {d:g}")
     semi_axis_a_m, film_m = values["semi_axis_a_m"], values.get("central_film_m")
     slip, oil = values.get("slip_parameter", 1.0), oil_of_keys(values, place)
     oil_error = film_error_by_data(values, m, l, d)

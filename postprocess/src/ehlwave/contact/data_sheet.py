@@ -109,8 +109,10 @@ class Oil:
             value = getattr(self, field.name)
             if field.name != "source" and value is not None:
                 found = number(value, field.name, "Oil")
-                if found < 0 or (found == 0 and not field.name.endswith("_error")):
-                    raise SurfaceError(f"Oil: {field.name} = {value} must be above 0")
+                is_error = field.name.endswith("_error")
+                if found < 0 or (found == 0 and not is_error):
+                    least = "at least" if is_error else "above"
+                    raise SurfaceError(f"Oil: {field.name} = {value} must be {least} 0")
                 object.__setattr__(self, field.name, found)
 
     def __str__(self) -> str:

@@ -12,6 +12,7 @@ from ehlwave.contact.line_contact import LOAD_KEY, line_values
 from ehlwave.contact.oils import Oil
 from ehlwave.contact.scales import ellipticity
 from ehlwave.errors import SurfaceError
+from ehlwave.hints import see
 
 DIMENSIONAL_KEYS = (
     "radius_x_m",
@@ -36,7 +37,9 @@ def moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
     radius_x, radius_y, modulus, load, speed, viscosity = (values[key] for key in DIMENSIONAL_KEYS)
     speed_2u = viscosity * 2 * speed / (modulus * radius_x)
     load_w = load / (modulus * radius_x**2)
-    d = checked_ratio(radius_x / radius_y, place)
+    d = checked_ratio(
+        radius_x / radius_y, f"{place}: radius_x_m = {radius_x:g} and radius_y_m = {radius_y:g}"
+    )
     kappa = ellipticity(d)
     radius = 1 / (1 / radius_x + 1 / radius_y)
     e = float(ellipe(1 - kappa**2))
@@ -48,14 +51,14 @@ def moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
     }
 
 
-def checked_ratio(d: float, place: str) -> float:
+def checked_ratio(d: float, given: str) -> float:
     """Return D, 1 where radii are equal but for round-off; refuse what is out of range."""
     if abs(d - 1) <= ROUND_OFF:
         return 1.0
     if d != 0 and not SMALLEST_RADIUS_RATIO <= d <= 1:
         raise SurfaceError(
-            f"{place}: D = Rx/Ry = {d:.6g} must lie in {SMALLEST_RADIUS_RATIO} to 1, or be 0 (line "
-            "contact); for Rx > Ry the contact is wider along rolling, which is outside the "
-            "model's range"
+            f"{given}: D = Rx/Ry = {d:.10g} must lie in {SMALLEST_RADIUS_RATIO} to 1, or be 0 "
+            "(line contact); for Rx > Ry the contact is wider along rolling, which is outside the "
+            f"model's range{see('keys')}"
         )
     return d

@@ -10,12 +10,12 @@ from typing import Any
 
 from ehlwave.contact.bodies import FLAT, Body
 from ehlwave.contact.conditions import MOES_KEYS
-from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
+from ehlwave.contact.conditions_from_keys import KNOWN_KEYS, unknown_key
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.contact.line_contact import LOAD_KEY
 from ehlwave.contact.moes_parameters import ROUND_OFF
 from ehlwave.errors import SurfaceError
-from ehlwave.hints import did_you_mean, see
+from ehlwave.hints import see
 from ehlwave.quantities import number, plain
 from ehlwave.slip import RATIO, SLIP, slip_of
 
@@ -67,6 +67,7 @@ def contact_keys(
         keys["radius_y_m"] = across
         _refuse_line_load(keys, keys["radius_x_m"] / across)
     _take_speeds(keys, names)
+    _refuse_missing(keys)
     return keys, names
 
 
@@ -81,10 +82,7 @@ def _check_names(oil: Oil | None, given: Mapping[str, Any]) -> None:
         if key in FROM_BODIES:
             raise SurfaceError(f"Contact: {key} follows from the bodies: remove it{see('bodies')}")
         if key not in known:
-            raise SurfaceError(
-                f"Contact: unknown key {key}{did_you_mean(key, known)}; known are "
-                f"{', '.join(known)}{see('bodies')}"
-            )
+            raise SurfaceError(f"Contact: {unknown_key(key, known)}{see('bodies')}")
         if key in said:
             raise SurfaceError(f"Contact: gives oil and {key}: remove one{see('oil')}")
 
@@ -141,6 +139,18 @@ def _refuse_line_load(keys: Mapping[str, Any], ratio: float) -> None:
         )
 
 
+def _refuse_missing(keys: Mapping[str, Any]) -> None:
+    load = LOAD_KEY if LOAD_KEY in keys else "load_n"
+    for key in (load, "mean_speed_m_per_s", "viscosity_pa_s"):
+        if key not in keys:
+            name = key.replace("mean_speed", "speeds")
+            raise SurfaceError(
+                f"Contact: {name} is missing: two bodies need load_n (lines: load_n_per_m), "
+                "speeds_m_per_s=(u1, u2) or mean_speed_m_per_s, and oil or viscosity_pa_s"
+                f"{see('bodies')}"
+            )
+
+
 def _take_speeds(keys: dict[str, Any], names: Names) -> None:
     """Replace speeds of both surfaces by their mean and the slip of the first."""
     if "speeds_m_per_s" not in keys:
@@ -152,9 +162,10 @@ def _take_speeds(keys: dict[str, Any], names: Names) -> None:
     try:
         one, two = plain(speeds, "speeds_m_per_s")
     except (TypeError, ValueError):
+        one = speeds if isinstance(speeds, (int, float)) and speeds > 0 else 1
         raise SurfaceError(
-            f"Contact: speeds_m_per_s = {speeds}: give both, (u1, u2), in pure rolling "
-            f"({speeds}, {speeds}){see('slip')}"
+            f"Contact: speeds_m_per_s = {speeds!r:.60}: give both, (u1, u2), in pure rolling "
+            f"({one}, {one}){see('slip')}"
         ) from None
     first, second = (number(u, "speeds_m_per_s", "Contact") for u in (one, two))
     for speed in (first, second):

@@ -235,12 +235,13 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
     chart = chart_of(replace(conditions, slip_parameter=conditions.film_slip), atlas)
     film = chart.film()
     error = film.central_error + conditions.oil_error + conditions.starvation_error
-    source = f"atlas, within {100 * error:.1g} %"
+    source = f"atlas, within {100 * error:.2g} %"
     if conditions.is_starved:
         law = f"R = {conditions.film_ratio:.3g} of the law of starved contacts"
-        source = f"atlas times {law}, within {100 * error:.1g} %"
+        source = f"atlas times {law}, within {100 * error:.2g} %"
     if chart.film_loss and chart.film_source == chart.source:
-        source = f"atlas of Newtonian oils, up to {100 * error:.2g} % too thick as this one thins"
+        thins = f"up to {100 * chart.film_loss:.2g} % too thick as this one thins"
+        source = f"atlas of Newtonian oils, {thins}, within {100 * error:.2g} %"
     return replace(
         conditions,
         central_film_m=film.central_moes * conditions.metres_per_moes * conditions.film_ratio,

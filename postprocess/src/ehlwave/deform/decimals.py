@@ -18,6 +18,7 @@ from ehlwave.errors import SurfaceError, printable
 _PAIR = re.compile(r"([-+]?\d+)\s*,\s*(\d+)$")
 _WHOLE = re.compile(r"[-+]?\d+$")
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+$")
+_SMALL = re.compile(r"[-+]?\d{1,3}$")
 _QUOTED_NUMBER = re.compile(r'"\s*[-+]?\d+,\d+\s*"')
 
 
@@ -47,6 +48,8 @@ def settled(
     has_points = any("." in line for line in body)
     if not any("," in line for line in body) and not (decimal == "comma" and has_points):
         return list(body), separator, False
+    if separator == "," and names < 2 and _is_one_column_of_thousands(body):
+        separator = None
     if separator == ",":
         if _is_decimal(file, body, names, decimal):
             return [_joined(file, line) for line in body], ",", True
@@ -93,6 +96,16 @@ def _is_decimal(file: Path, body: Sequence[str], names: int, decimal: Decimal | 
         f"({first.replace(',', '.')}): say which: decimal='point' (commas separate columns) or "
         "decimal='comma'"
     )
+
+
+def _is_one_column_of_thousands(body: Sequence[str]) -> bool:
+    """Return whether all lines are numbers with marks of thousands, none a position and height."""
+    cells = [line.strip() for line in body]
+    if not all(_THOUSANDS.match(cell) or _SMALL.match(cell) for cell in cells):
+        return False
+    pairs = [cell.split(",") for cell in cells]
+    is_pair = all(len(pair) == 2 for pair in pairs)
+    return not (is_pair and _is_equidistant([int(pair[0]) for pair in pairs]))
 
 
 def _is_equidistant(positions: Sequence[int]) -> bool:

@@ -1,5 +1,7 @@
 """Columns of numbers in text files, whatever separates them."""
 
+import codecs
+import contextlib
 import io
 import re
 from dataclasses import dataclass, field
@@ -80,11 +82,7 @@ def read_text_table(file: Path, decimal: Decimal | None = None) -> TextTable:
     Raises SurfaceError if a row has another length than the first, or a cell is not a number. Empty
     cells and ``nan`` are missing heights, not errors.
     """
-    try:
-        text = file.read_text(encoding="utf-8-sig")
-    except UnicodeDecodeError:
-        text = file.read_text(encoding="latin-1")
-    lines = text.splitlines()
+    lines = _text(file).splitlines()
     content = [line for line in lines if line.strip() and not line.lstrip().startswith("#")]
     if not content:
         raise SurfaceError(f"{file}: is empty")
@@ -110,6 +108,16 @@ def read_text_table(file: Path, decimal: Decimal | None = None) -> TextTable:
     names, units = _headings(file, above, separator, numbers.shape[1])
     said = "\n".join([*above, *(line for line in lines if line.lstrip().startswith("#"))])
     return TextTable(numbers, units, names, has_decimal_commas, **_stated(said))
+
+
+def _text(file: Path) -> str:
+    """Return what a file says in UTF-8, in UTF-16 with its mark, or in Latin-1."""
+    data = file.read_bytes()
+    marked = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    for encoding in ("utf-16",) if marked else ("utf-8-sig", "latin-1"):
+        with contextlib.suppress(UnicodeDecodeError):
+            return data.decode(encoding)
+    raise SurfaceError(f"{file}: begins as UTF-16 text and is none")
 
 
 def _first_numbers(lines: list[str]) -> tuple[int, str | None]:
