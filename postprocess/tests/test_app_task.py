@@ -102,8 +102,8 @@ def test_heat_and_starvation_are_answered() -> None:
     assert warm.film.heated is not None
     assert "With heat" in numbers(warm)
     assert json.loads(document(warm))["film"]["heated"]["friction"] == warm.film.heated.friction
-    starved = answered(Task(Given(LOADED_BALL | {"oil_over_flooded": 0.5})))
-    assert starved.film == ehlwave.Contact(**LOADED_BALL, oil_over_flooded=0.5).film()
+    starved = answered(Task(Given(BALL | {"oil_over_flooded": 0.5})))
+    assert starved.film == ehlwave.Contact(**BALL, oil_over_flooded=0.5).film()
 
 
 def test_the_page_asks_for_all_that_contacts_are_given_by() -> None:
