@@ -22,8 +22,9 @@ class Film:
     ----------
     central_m, minimum_m : float or None
         Film at the contact centre and smallest film, m; None when M, L and D came without a radius.
-        The smallest film is not known of a starved contact, beside a given central film, and where
-        the error of the atlas is 100 % or more: None, and NaN in the Moes scale.
+        The smallest film is not known of a starved contact, beside a given central film, with heat
+        under slip in an oil that is not Ree-Eyring's, and where the error of the atlas is 100 % or
+        more: None, and NaN in the Moes scale.
     central_moes, minimum_moes : float
         The same in the Moes scale, (h/Rx)(2U)^(-1/2).
     central_error, minimum_error : float

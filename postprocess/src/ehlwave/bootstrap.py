@@ -28,7 +28,7 @@ def bootstrap_coefficients(
     Parameters
     ----------
     x, ratio : array_like, shape (n,)
-        As for :func:`fit_formula`.
+        As for :func:`ehlwave.fit_formula`.
     condition : array_like of int, shape (n,)
         Number of the operating condition of each point.
     replicates : int
@@ -36,7 +36,7 @@ def bootstrap_coefficients(
     seed : int
         Seed of the random numbers: equal seeds give equal answers.
     weight : array_like, shape (n,), optional
-        As for :func:`fit_formula`.
+        As for :func:`ehlwave.fit_formula`.
 
     Returns
     -------

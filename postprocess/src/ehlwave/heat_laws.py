@@ -2,7 +2,8 @@
 
 The inlet is warmed by its own shear, which thins the film; where surfaces slide, the film between
 them is warmed, which makes it easier to shear. Friction is that of :mod:`ehlwave.sheared_film`
-times a factor near 1. Coefficients and errors stand in ``postprocess/record/heat/laws.csv``.
+times a factor near 1. Coefficients of both, and the errors of these fits, stand in
+``postprocess/record/heat/laws.csv``.
 """
 
 from copy import copy
@@ -24,11 +25,12 @@ FRICTION_COEFFICIENTS = (0.23399, 0.65618, 1.4634, 0.30077, 0.17842, 0.28192, 36
 """Of :func:`friction_factor`."""
 INLET_BAR, FRICTION_BAR, COLD_BAR = 0.05, 0.12, 0.055
 """Relative errors of the film by heat and of friction with and without heat: 95 % of contacts held
-out are within. A test compares them with the record."""
+out are within. A test compares them with the record. That of the film is for surfaces that stay
+cold; `WARM_BAR` and `UNLIKE_BAR` come besides."""
 WARM_BAR, UNLIKE_BAR = 0.02, 0.02
-"""Error of the film besides, times beta times the rise of the surfaces; the second times the
-difference of the effusivities over their sum. Of 289 contacts that slide 99 % were within all of a
-film's error."""
+"""More relative error of the film, times beta times the rise of the surfaces; the second also times
+the difference of the effusivities over their sum. Of 289 contacts that slide 99 % were within the
+whole error of the film."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
@@ -64,12 +66,14 @@ class Heated:
     film_factor : float
         Central film with heat over that without.
     inlet_factor : float
-        The part of it by the warm inlet; the other one is by the density at the centre.
+        The part of it by the warm inlet. The others are by the density at the centre and by bodies
+        that conduct heat differently.
     minimum_factor : float or None
         Smallest film with heat over that without; None where surfaces slide and their rise is not
         known.
     film_error : float
-        Of both, relative: of the law, and what the error of the conductivity makes of it.
+        Of both films, relative: of the laws, which grows with the rise of the surfaces, and what
+        the error of the conductivity makes of it.
     friction, isothermal_friction : float or None
         Friction coefficients with and without heat; None in pure rolling and of other oils than
         Ree-Eyring's.
@@ -145,8 +149,8 @@ def wedge(heat: Heat, slide_to_roll_ratio: float, rise_surfaces_k: float) -> flo
 
     Viscosity that falls evenly across the film by exp(-d), d = beta times the rise of the faster
     surface over the slower one, lets the mean of the oil move at 1/d - 1/(e^d - 1) of the way from
-    the slower speed to the faster one, in place of 1/2. The film grows as that speed falls. Either
-    surface takes half of the heat.
+    the slower speed to the faster one, in place of 1/2. The film grows as that speed falls. Each
+    surface is taken to get half of the heat.
 
     Parameters
     ----------
@@ -252,8 +256,8 @@ def warmed(
         return Heated(inlet, inlet, inlet, film_error)
     if eyring_stress_pa is None:  # it warms no more than an oil that does not thin
         hot = shear_warm(sliding_film(conditions, NEWTONIAN_PA, film_m * inlet), heat)
-        bodies = abs(wedge(heat, ratio, hot.rise_surfaces_k) ** WEDGE_POWER - 1)
-        return Heated(inlet, inlet, None, film_error + bodies + _bar(heat, hot.rise_surfaces_k))
+        film_error += abs(wedge(heat, ratio, hot.rise_surfaces_k) ** WEDGE_POWER - 1)
+        return Heated(inlet, inlet, None, film_error + _warm_error(heat, hot.rise_surfaces_k))
     case = sliding_film(conditions, eyring_stress_pa, film_m)
 
     def factor(found: Sheared, film: float, warmth: float) -> float:
@@ -279,7 +283,7 @@ def warmed(
         film,
         inlet,
         dense / (1 + constriction * warmth),
-        film_error + _bar(heat, warm.rise_surfaces_k),
+        film_error + _warm_error(heat, warm.rise_surfaces_k),
         warm.friction * factor(warm, film, loading),
         FRICTION_BAR + error_by_data(conditions, case_warm, friction, error),
         cold.friction * factor(cold, 1.0, 0.0),
@@ -288,7 +292,7 @@ def warmed(
     )
 
 
-def _bar(heat: Heat, rise_surfaces_k: float) -> float:
+def _warm_error(heat: Heat, rise_surfaces_k: float) -> float:
     """Return the part of the error of a film that grows with the rise of the surfaces."""
     first, second = (body.effusivity for body in heat.bodies)
     unlike = abs(first - second) / (first + second)
