@@ -65,7 +65,7 @@ module ehlwave_case_definition
       integer :: settling_periods = 1
       character(len=name_length) :: method = 'auto'      !! completed to that in use
       logical :: has_free_tolerance = .false.            !! no key: none was given for steady states
-      character(len=:), allocatable :: idle              !! no key: those that are given and have no effect, for people
+      character(len=:), allocatable :: idle              !! no key: what the plan says of keys without effect
       character(len=name_length) :: cycle = ''           !! of method = 'fas', completed
       character(len=name_length) :: deformation = 'auto'
       character(len=name_length) :: scheme = 'auto'               !! of the Reynolds equation

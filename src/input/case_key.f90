@@ -22,9 +22,10 @@ module ehlwave_case_key
       logical :: is_required = .false.               !! has no default
       character(len=64) :: default = ''              !! what the reference says where the default is not a value
       logical :: applies = .true.                    !! to the case at hand: refused where it is given and does not
-      logical :: counts = .true.                     !! for the case at hand: refused where it is given with another
-                                                     !! value than its default and does not; written all the same
-      logical :: is_effort = .false.                 !! about how, not about what is asked: told in place of refused
+      logical :: counts = .true.                     !! has an effect in the case at hand: without one any other value
+                                                     !! than the default is refused; it is written all the same
+      logical :: is_effort = .false.                 !! a setting of the solution: the plan tells that it has no effect,
+                                                     !! in place of a refusal
       character(len=160) :: when = ''                !! the same for people: 'belongs to ...'
       logical :: is_written = .true.                 !! in the effective input of the case at hand, if it applies
       logical :: is_late = .false.                   !! added after stores were made: written where it is not the

@@ -46,9 +46,9 @@ module ehlwave_film_errors
    !> One whose gap is full from the inlet edge on, where the oil meets a wider gap, was off by 2.2 times.
    real(dp), parameter :: starved_share = 0.5_dp   !! of 1 - R
    real(dp), parameter :: full_margin = 2
-   !> Of the error of the film, of that of R at least: grids agree by chance. Of 215 random R 72 were off by up to four
-   !> times what grids say. With this share, the factors of the film, and `full_margin` too where the gap is full from
-   !> the inlet edge on, one of 172 was off by 1.05 times.
+   !> Least error of R over that of the film, which counts up to `largest_film_error`: grids can agree by chance. Of 215
+   !> random R 72 were off by more than grids say, by up to four times. With this share, the factors of the film, and
+   !> `full_margin` where the gap is full from the inlet edge on, one of 172 was off by more, by 1.05 times.
    real(dp), parameter :: ratio_share = 0.1_dp, largest_film_error = 0.2_dp
    !> Order with two grids: one with a meniscus was off by 3 times what the second order says (S = 0.26, R = 0.33).
    real(dp), parameter :: starved_order = 1
@@ -68,7 +68,7 @@ module ehlwave_film_errors
    !> cases that said 1 to 10 with a second grid were off by less.
    real(dp), parameter :: most_friction_error = 10
    real(dp), parameter :: rolling_margin = 2.5_dp      !! of the model, of friction by pure rolling
-   !> The same of levels: of 82 random frictions by heat, 11 were off by 1.2 to 1.6 times their estimate.
+   !> The same of the error by levels: of 82 random frictions by heat, 11 were off by 1.2 to 1.6 times their estimate.
    real(dp), parameter :: rolling_levels_margin = 1.5_dp
    real(dp), parameter :: no_friction = 1e-8_dp   !! of pure rolling, by round-off
 
@@ -108,13 +108,14 @@ contains
       call add_domain(plan, multigrid%levels(n), result)
    end subroutine estimate_film_errors
 
-   !> Add what the edges of a flooded domain leave: in the smallest film as in that of the centre, whose part is counted
-   !> apart, and in the friction the oil outside as well, theory eq. (T11). Truncated edges are what was asked for.
+   !> Add what the edges of a flooded domain leave, and a short inlet of a starved contact: in the smallest film as in
+   !> that of the centre, whose part is counted apart, and in the friction the oil outside as well, theory eq. (T11).
+   !> Truncated edges are what was asked for.
    subroutine add_domain(plan, level, result)
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level             !! the finest
       type(case_result_t), intent(inout) :: result
-      real(dp) :: left, outside, short
+      real(dp) :: left, outside, short     ! short: by an inlet that is too short
 
       left = merge(plan%film_domain_error, 0.0_dp, level%problem%grid%is_flooded)
       short = merge(result%starved%edge_error, 0.0_dp, level%problem%grid%is_flooded)
@@ -212,7 +213,7 @@ contains
       if (.not. ieee_is_finite(result%starved%passage%meniscus_x)) spread = full_margin
    end function starved_spread
 
-   !> Error of R as that of the film, once that is known.
+   !> Widen the error of R as that of the film is, once that is known.
    subroutine spread_ratio(grid, result)
       type(grid_t), intent(in) :: grid
       type(case_result_t), intent(inout) :: result

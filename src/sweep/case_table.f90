@@ -168,7 +168,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(case_input_t) :: input
       type(key_list_t) :: given
-      logical :: is_said(most_keys), is_used(most_keys)   ! a value other than the default
+      logical :: is_said(most_keys), is_used(most_keys)   ! said: a row has another value than the default
       integer :: row
 
       call sweep%vary(pack(columns, columns > 0), any(columns == 0))
