@@ -25,10 +25,11 @@ WITH_DOWNSTREAM, FEWEST_DOMAINS = 1.3, 2.0
 of ``src/reynolds/shear_stress.f90`` and ``src/run/film_errors.f90``."""
 
 ANGLES, STEPS = 48, 64
-"""Of the sum over what is outside."""
+"""Of the sum over the oil outside."""
 
 SLIGHT_SLIP, SLIGHTEST_SLIP = 0.1, 1e-3
-"""Deviations of S from 1 below which friction is less well known, and below which no less so."""
+"""Deviations of S from 1: friction is less well known below the first, and below the second as
+little as there."""
 
 SLIGHT_SLIP_ERROR, THICKENED = 1.6, 10.0
 """Times M^(-1/2) the relative error of friction that slight slip adds at most, where alpha ph is
@@ -36,7 +37,10 @@ the latter or more; in proportion below. 95 % of drawn contacts keep to it."""
 
 
 def slight_slip_error(conditions: Conditions) -> float:
-    """Return the relative error of friction that slight slip adds; lines were fitted to it."""
+    """Return the relative error of friction that slight slip adds.
+
+    The atlas of lines was fitted to slight slip, too, so that nothing is added there.
+    """
     if conditions.is_line:
         return 0.0
     slip = max(abs(conditions.slip_parameter - 1), SLIGHTEST_SLIP)

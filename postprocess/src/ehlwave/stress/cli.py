@@ -50,8 +50,8 @@ def _of_case(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: A
     for name, default in OF_SURFACES.items():
         if getattr(options, name) != default:
             raise StressError(
-                f"{name}= is for a measured surface, and {options.file} is of a solved contact, "
-                "without --conditions: remove it"
+                f"{name}= is for a measured surface, and without --conditions {options.file} is "
+                "that of a solved contact: remove it, or give --conditions"
             )
     document, stresses = judge_case(options.file, depths, options.cycles, options.poisson_ratio)
     text = json.dumps(plain(document), indent=2, allow_nan=False)
