@@ -13,7 +13,7 @@ module ehlwave_error_account
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: errors_text, take_errors, validity_text
+   public :: error_asked_for, errors_text, take_errors, validity_text
 
    !> Of the tolerance, that a steady film is off by at most; measured. Residuals of FAS lie at single nodes.
    real(dp), parameter :: steady_share = 0.1_dp, multigrid_share = 0.01_dp
@@ -39,7 +39,7 @@ contains
                                              algebraic=case%response_tolerance)
       end if
       if (plan%inlet%is_short()) call add_meniscus(case, plan, result)
-      result%error_estimate = asked(case, merge(result%ratio_errors, result%film_errors, case%has_ratio()))
+      result%error_estimate = error_asked_for(case, merge(result%ratio_errors, result%film_errors, case%has_ratio()))
    end subroutine take_errors
 
    !> Add the part of the meniscus. Of the film that is the error of R, which grids tell, as that of the film.
@@ -81,14 +81,14 @@ contains
    end function errors_in_time
 
    !> The sum, without the domain where its edges are truncated: that is the problem as it was asked for.
-   pure real(dp) function asked(case, parts)
+   pure real(dp) function error_asked_for(case, parts) result(error)
       type(case_t), intent(in) :: case
       type(error_parts_t), intent(in) :: parts
       type(error_parts_t) :: counted
       counted = parts
       if (case%edges == 'truncated') counted%domain = 0
-      asked = counted%total()
-   end function asked
+      error = counted%total()
+   end function error_asked_for
 
    !> The parts for people.
    function errors_text(parts) result(text)

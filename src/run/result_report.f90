@@ -3,7 +3,7 @@ module ehlwave_result_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_error_account, only: errors_text, validity_text
+   use ehlwave_error_account, only: error_asked_for, errors_text, validity_text
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
@@ -61,8 +61,8 @@ contains
          write (unit, '(a)') '             of Ad/Ai in all '//to_text(result%error_estimate, 2)//': '// &
             errors_text(result%ratio_errors)
       else if (ieee_is_finite(result%film_errors%mesh)) then
-         write (unit, '(a)') '             of H(0,0) in all '//to_text(result%error_estimate, 2)//': '// &
-            errors_text(result%film_errors)
+         write (unit, '(a)') '             of H(0,0) in all '// &
+            to_text(error_asked_for(case, result%film_errors), 2)//': '//errors_text(result%film_errors)
       end if
       write (unit, '(a)') 'Validity     '//validity_text(case, plan, result%warning)
       write (unit, '(a)') 'Errors       mass residual '//to_text(result%residual, 3)//', load error '// &

@@ -103,6 +103,14 @@ class CaseProgram(FolderTest):
         self.assertIsNone(result["amplitude_ratio_fit"])
         self.assertEqual(outcome.stderr, "", "quiet means no progress lines")
 
+    def test_march_of_waves_that_stand_still(self):
+        """It has no Ad/Ai, and says so; the film has its error."""
+        waves = {**WAVY["waviness"], "orientation": "longitudinal"}
+        outcome = self.run_case({**WAVY, "waviness": waves, "dynamics": {"end_time": 0.25}})
+        self.check_status(outcome)
+        self.assertIn("no Ad/Ai: the pattern stands still", outcome.stdout)
+        self.assertRegex(outcome.stdout, r"of H\(0,0\) in all 0\.\d+: mesh")
+
     def test_text_without_json(self):
         outcome = self.run_case(SMOOTH)
         self.assertEqual(outcome.returncode, 0)
