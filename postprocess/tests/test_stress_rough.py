@@ -11,6 +11,7 @@ from ehlwave.deform.ripple import stiffness_pa
 from ehlwave.deform.rough_pressure import ripple_of
 from ehlwave.errors import StressError
 from ehlwave.stress import contact_fields, rough_stress, stress_below
+from ehlwave.stress.figures import predicted_section
 from ehlwave.stress.midplane import hertz_midplane_stress
 from ehlwave.stress.passage import ripple_stresses
 from ehlwave.stress.report import stress_dataset, stress_json, stress_text
@@ -131,6 +132,7 @@ def test_bodies_have_their_own_poisson_ratios() -> None:
         assert alone.poisson_ratio == nu
         assert own.bodies[body].peaks == alone.bodies[body].peaks
     assert own.bodies[0].peaks != own.bodies[1].peaks
+    assert predicted_section(own).axes
 
 
 def test_in_rolling_both_bodies_bear_the_same() -> None:

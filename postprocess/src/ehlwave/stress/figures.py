@@ -15,6 +15,7 @@ from ehlwave.stress.centre import contact_fields
 from ehlwave.stress.criteria import von_mises
 from ehlwave.stress.dang_van import PRESSURE_COEFFICIENT, Path, fatigue_shear
 from ehlwave.stress.field import stress_below
+from ehlwave.stress.loads import checked_poisson_ratios
 from ehlwave.stress.rough import RoughStress
 
 Floats = NDArray[np.float64]
@@ -95,7 +96,7 @@ def predicted_section(result: RoughStress) -> Figure:
         steps,
         np.linspace(0, 1.2 * reach, SECTION_DEPTHS),
         traction_x_pa=_pull(result) * fields["pressure_pa"],
-        poisson_ratio=result.poisson_ratio,
+        poisson_ratio=checked_poisson_ratios(result.poisson_ratio)[0],
     )
     return section_figure(stress, fields["pressure_pa"])
 
