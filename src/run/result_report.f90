@@ -164,7 +164,7 @@ contains
                to_text(r%friction_coefficient, 5)//largest_b()
             if (ieee_is_finite(result%heat%isothermal_film)) then
                call print_heat()
-            else if (ieee_is_finite(r%inlet_rise_k)) then
+            else if (ieee_is_finite(r%inlet_rise_k) .and. .not. case%heat%is_given()) then
                write (unit, '(a)') '             estimated temperature rise: inlet '//to_text(r%inlet_rise_k, 2)// &
                   ' K, contact '//to_text(r%contact_rise_k, 2)//' K (the model is isothermal)'
             end if
