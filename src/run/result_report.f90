@@ -100,7 +100,11 @@ contains
       function friction_error() result(text)
          character(len=:), allocatable :: text
          text = ''
-         if (ieee_is_finite(result%friction_error)) text = ', friction '//to_text(result%friction_error, 2)
+         if (ieee_is_finite(result%friction_error)) then
+            text = ', friction '//to_text(result%friction_error, 2)
+         else if (case%heat%is_given() .and. ieee_is_finite(result%shear%friction_coefficient)) then
+            text = ', friction not known'
+         end if
       end function friction_error
 
       function amplitude_error() result(text)
