@@ -154,6 +154,8 @@ def test_a_study_returns_text_as_text_and_goes_on(tmp_path: Path) -> None:
     found = dict(zip(again["case_id"].values, again["seconds"].values, strict=True))
     assert all(found[name] == seconds for name, seconds in kept.items())
     assert "32 x 32" in study.plan()
+    with pytest.warns(UserWarning, match="the store also holds 2 "):
+        ehlwave.Study(rows[:1], **shared).run(output)
 
 
 @needs_programs
@@ -280,4 +282,4 @@ def test_a_case_takes_a_surface_as_an_object(tmp_path: Path) -> None:
     changed = {key for key in by_file if by_file[key] != by_object[key]}
     assert changed <= {"case_id", "effective_input", "surface_file", "expected_seconds"}
     with pytest.raises(ehlwave.ProgramError, match="write_simulation_surface"):
-        ehlwave.Study({"load_n": [20, 30]}, **keys, file=trace)
+        ehlwave.Study({**keys, "load_n": [20, 30]}, file=trace)

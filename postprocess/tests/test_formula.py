@@ -53,6 +53,8 @@ def test_formula_with_other_coefficients() -> None:
 def test_negative_arguments_are_refused() -> None:
     with pytest.raises(ValueError, match="r is negative"):
         f_of_r(-1)
+    with pytest.raises(ValueError, match="x is negative"):
+        amplitude_ratio_formula([1, -1])
     with pytest.raises(ValueError, match="load_m is negative"):
         v2(1, -1, 1)
     with pytest.raises(ValueError, match="wavelength_y is negative"):

@@ -17,6 +17,7 @@ from ehlwave.cli import main
 from ehlwave.deform import ReadOptions, read_surface
 from ehlwave.errors import ResultsError, SurfaceError, printable
 from ehlwave.hdf5 import opened
+from ehlwave.read import read_results
 
 Capture = pytest.CaptureFixture[str]
 CONDITIONS = ["--conditions", *(f"{key}={value}" for key, value in EXPERIMENT.items())]
@@ -271,6 +272,10 @@ def test_what_a_terminal_obeys_never_reaches_it(tmp_path: Path, capsys: Capture)
         said = capsys.readouterr()
         for text in (said.out, said.err):
             assert printable(text, kept="\n\t") == text
+    for read in (read_results, read_surface):
+        with pytest.raises(ResultsError) as caught:
+            read(absent)
+        assert printable(str(caught.value), kept="\n\t") == str(caught.value)
     main(["table", str(source)])
     assert "fa\\x1b[2Jiled" in capsys.readouterr().out
 

@@ -50,6 +50,9 @@ def test_a_contact_outside_the_atlas_is_an_error_and_no_table_of_nothing() -> No
         ehlwave.Contact(**MOES | {"load_parameter_m": 2e5}).responses([1.0])
     with pytest.raises(ehlwave.RangeError, match="slip_parameter"):
         ehlwave.Contact(**MOES).responses([1.0], slip_parameter=1.9)
+    for wrong in (True, [0.5, True]):
+        with pytest.raises(ehlwave.SurfaceError, match=r"wavelength_over_a = .*: give numbers"):
+            ehlwave.Contact(**MOES).responses(wrong)
 
 
 def test_every_variable_has_units_and_a_name() -> None:

@@ -137,8 +137,10 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
+      logical :: is_estimated   !! the temperature rise, which &heat computes
 
-      associate (r => result%shear, c => plan%conditions)
+      is_estimated = plan%conditions%has_dimensions .and. .not. case%heat%is_given()
+      associate (r => result%shear)
          call list%add('friction_coefficient', 'friction of the smooth contact over the load, within the domain, '// &
                        'mean of both surfaces', r%friction_coefficient)
          call list%add('largest_b', 'largest |B|, shear rate times viscosity over the stress of the flow law', &
@@ -150,9 +152,9 @@ contains
          call list%add('share_beyond_limit', 'share of the load borne where the shear stress is above its limit', &
                        r%share_beyond_limit)
          call list%add('inlet_temperature_rise_k', 'estimated temperature rise of the oil in the inlet', &
-            r%inlet_rise_k, unit='K', exists=c%has_dimensions)
+            r%inlet_rise_k, unit='K', exists=is_estimated)
          call list%add('contact_temperature_rise_k', 'estimated mean temperature rise of the oil in the contact', &
-                       r%contact_rise_k, unit='K', exists=c%has_dimensions)
+            r%contact_rise_k, unit='K', exists=is_estimated)
       end associate
       call add_heat(list, case, plan, result%heat)
       call list%add('warning', 'what the model leaves out and matters here', result%warning)

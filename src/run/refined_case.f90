@@ -89,7 +89,7 @@ contains
       result%status = status_inaccurate
       result%message = 'estimated relative error '//to_text(result%error_estimate, 2)//' ('// &
                        errors_text(parts_of(case, result))//') above the accuracy of '//to_text(case%accuracy, 2)// &
-                       advice(case, result)
+                       advice(case, plan, result)
    end subroutine run_refined_case
 
    !> Whether the error of what the case is about was found on coarser grids, if that was not left to the model.
@@ -113,8 +113,9 @@ contains
    end function parts_of
 
    !> Advice on what would help.
-   function advice(case, result) result(text)
+   function advice(case, plan, result) result(text)
       type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
       character(len=:), allocatable :: text
       type(error_parts_t) :: parts
@@ -125,6 +126,8 @@ contains
       text = ': ask for less, or leave cells and domain to the plan with a larger largest_cells '// &
          '(and &solver largest_total_steps, where a finer run would take a case beyond '//to_text(most_work, 3)// &
          ' times its plan)'
+      if (.not. case%has_ratio() .and. result%starved%edge_error > 0.5_dp*parts%total()) text = &
+         ': the gap is full from the inlet edge on: take &grid x_min below '//to_text(plan%x_min, 4)
       if (parts%amplitude > others) text = ': take Ai (amplitude_over_film) below '//linear_limit_text(case)// &
          ", or response = 'harmonic'"
       if (parts%settling > max(others, parts%amplitude)) text = ': take more settling_periods, or a later end_time'

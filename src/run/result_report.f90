@@ -100,7 +100,11 @@ contains
       function friction_error() result(text)
          character(len=:), allocatable :: text
          text = ''
-         if (ieee_is_finite(result%friction_error)) text = ', friction '//to_text(result%friction_error, 2)
+         if (ieee_is_finite(result%friction_error)) then
+            text = ', friction '//to_text(result%friction_error, 2)
+         else if (case%heat%is_given() .and. ieee_is_finite(result%shear%friction_coefficient)) then
+            text = ', friction not known'
+         end if
       end function friction_error
 
       function amplitude_error() result(text)
@@ -164,7 +168,7 @@ contains
                to_text(r%friction_coefficient, 5)//largest_b()
             if (ieee_is_finite(result%heat%isothermal_film)) then
                call print_heat()
-            else if (ieee_is_finite(r%inlet_rise_k)) then
+            else if (ieee_is_finite(r%inlet_rise_k) .and. .not. case%heat%is_given()) then
                write (unit, '(a)') '             estimated temperature rise: inlet '//to_text(r%inlet_rise_k, 2)// &
                   ' K, contact '//to_text(r%contact_rise_k, 2)//' K (the model is isothermal)'
             end if

@@ -111,6 +111,13 @@ class Accuracy(TestCase):
         self.check_close(sum(parts), result["error_estimate"], 1e-12, "sum of the parts")
         self.assertGreater(result["error_estimate"], 0.002)
 
+    def test_a_gap_full_from_the_inlet_edge_on_needs_a_longer_domain(self):
+        contact = {"load_parameter_m": 55, "lubricant_parameter_l": 9.8, "radius_ratio_d": 0.21}
+        result = last_line(self.call({"conditions": contact, "inlet": {"oil_over_flooded": 1.91}, "grid": {"x_min": -3, "x_max": 1.5},
+                                      "solver": {"accuracy": 0.02}}))
+        self.assertEqual(result["status"], "inaccurate")
+        self.assertIn("take &grid x_min below -3", result["message"])
+
     def test_a_case_is_refined(self):
         """The first grid misses the accuracy, which the model does not expect, the second does not."""
         result = last_line(self.call(REFINED))

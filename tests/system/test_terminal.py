@@ -2,12 +2,15 @@
 
 import os
 import shutil
+import subprocess
 import unittest
 import zlib
+from pathlib import Path
 
 from ehlwave_program import ONE_RANK, VERSION, FolderTest, namelist, run
 
 SWEEP = {"sweep": {"load_parameter_m": [20, 25], "lubricant_parameter_l": 5, "radius_ratio_d": 1}, "grid": {"cells_x": 16, "cells_y": 16}}
+ROOT = Path(__file__).parents[2]
 HARM = "\x1b]0;owned\x07\x1b[2J\x9b31m"
 UNPRINTABLE = {*range(32), 127, *range(128, 160)} - {10}
 os.environ.update(ONE_RANK)
@@ -20,7 +23,9 @@ class Terminal(FolderTest):
 
     def check(self, name, *arguments, status):
         """What a run prints holds no control character but ends of lines; returns it."""
-        outcome = run(name, *arguments, folder=self.folder)
+        return self.check_outcome(run(name, *arguments, folder=self.folder), status)
+
+    def check_outcome(self, outcome, status):
         text = outcome.stdout + outcome.stderr
         self.assertEqual(outcome.returncode, status, text)
         self.assertEqual([line for line in text.split("\n") if UNPRINTABLE & set(map(ord, line))], [])
@@ -38,6 +43,10 @@ class Terminal(FolderTest):
                 self.check("sweep", "--status", f"no{text}.h5", status=2)
                 self.check("case", f"{text}.nml", "--output", f"{text}.h5", status=2)
                 self.check("case", f"no{text}.nml", status=2)
+
+    def test_options_of_scripts(self):
+        said = subprocess.run([ROOT/"scripts"/"build", HARM], capture_output=True, text=True, check=False)
+        self.assertIn("unknown preset", self.check_outcome(said, 2))
 
     def test_crafted_store(self):
         """Every text of the records of a store is made one that harms; checksums are right."""

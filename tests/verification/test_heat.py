@@ -181,6 +181,9 @@ class Heat(TestCase):
             for name in ("central_film", "minimum_film", "max_pressure", "friction_coefficient"):
                 self.check_close(inert[name], cold[name], 1e-10, f"{flow}: {name}")
             self.assertGreater(inert["largest_rise_mid_film_k"], 20)
+            for name in ("inlet_temperature_rise_k", "contact_temperature_rise_k"):   # estimates of what &heat computes
+                self.assertIn(name, cold)
+                self.assertNotIn(name, inert)
 
     def test_levels_and_mesh(self):
         """Twice the levels and half the mesh move film and friction by less than their errors."""

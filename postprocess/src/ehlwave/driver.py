@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import tempfile
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
@@ -35,6 +36,9 @@ SURFACES = {"surface": "file", "surface2": "file_2"}
 
 OPTIONS = ("case_file", "output", "unresolved", "largest_case_seconds", "checkpoint_seconds")
 """Keys of ``&sweep`` that are not lists of values."""
+
+NOTICE = "NOTICE: "
+"""Begins lines in which a sweep warns."""
 
 LABEL = "label"
 """Column of a table of cases that names them; not a key of the program."""
@@ -185,6 +189,7 @@ class Study(Shown):
     ) -> None:
         """Take the grid or the rows."""
         given: dict[str, Any] = dict(shared)
+        _refuse_both(grid, shared)
         if isinstance(grid, Mapping):
             grid = {key: in_si(value, key) for key, value in grid.items()}
             lists = {key: list(value) for key, value in grid.items() if _is_list(value)}
@@ -251,6 +256,11 @@ class Study(Shown):
         ProgramError
             If the program refuses the input.
 
+        Warns
+        -----
+        UserWarning
+            Of what the program notes: cases that are set aside, others in the same store.
+
         Examples
         --------
         >>> import ehlwave
@@ -277,7 +287,9 @@ class Study(Shown):
             with following(progress) as callback:
                 command += [str(path), *limit]
                 done = run_following(command, callback, "stdout", environment=environment)
-            _check(done, (0, 1, 85))
+            for line in _check(done, (0, 1, 85)).stdout.splitlines():
+                if line.startswith(NOTICE):
+                    warnings.warn(line.removeprefix(NOTICE), stacklevel=2)
             found = read_results(results)
         return found if self.rows is None else with_labels_of(found, self.rows)
 
@@ -307,6 +319,22 @@ class Study(Shown):
             )
             sweep["case_file"] = str(table)
         return namelist({**self.groups, "sweep": sweep})
+
+
+def _refuse_both(grid: Any, shared: Mapping[str, Any]) -> None:  # noqa: ANN401 - as users give it
+    """Raise ProgramError if a key varies and is shared, too."""
+    if isinstance(grid, (Mapping, pd.DataFrame)):
+        varied = {*grid}
+    elif isinstance(grid, Sequence):
+        varied = {key for row in grid if isinstance(row, Mapping) for key in row}
+    else:
+        return
+    for key in shared:
+        if key in varied:
+            raise ProgramError(
+                f"Study: gives {key} in the grid and for all cases, {key} = {shared[key]!r:.60}: "
+                "remove one"
+            )
 
 
 def _rows(grid: Any) -> pd.DataFrame:  # noqa: ANN401 - what users give

@@ -23,7 +23,8 @@ def printable(text: str, kept: str = "") -> str:
 class EhlwaveError(Exception):
     """The base of all errors that this package raises on purpose.
 
-    Those that say that an argument makes no sense are a :class:`ValueError` besides.
+    Those that say that an argument makes no sense are a :class:`ValueError` besides. Control
+    characters of names and files stand in the message by their numbers.
 
     Examples
     --------
@@ -34,6 +35,10 @@ class EhlwaveError(Exception):
     ...     print(type(error).__name__)
     SurfaceError
     """
+
+    def __str__(self) -> str:
+        """Return the message."""
+        return printable(super().__str__(), kept="\n\t")
 
 
 class ArgumentError(EhlwaveError, ValueError):

@@ -152,13 +152,18 @@ def amplitude_ratio_formula(x: ArrayLike, c1: float = PAPER_C1, c2: float = PAPE
     c1, c2 : float
         Coefficients; the paper's by default.
 
+    Raises
+    ------
+    ValueError
+        If x is negative.
+
     Examples
     --------
     >>> import ehlwave
     >>> ehlwave.amplitude_ratio_formula([0, 1, 10]).round(3).tolist()
     [1.0, 0.858, 0.25]
     """
-    values = np.asarray(x, dtype=np.float64)
+    values = _not_negative("x", x)
     return np.asarray(1 / (1 + values * (c1 + values * c2)))
 
 

@@ -133,6 +133,8 @@ def _labelled(
 def _column(values: ArrayLike, name: str) -> NDArray[np.float64]:
     found = plain(values, name)
     try:
+        if any(isinstance(one, (bool, np.bool_)) for one in np.asarray(found, object).ravel()):
+            raise TypeError
         return np.atleast_1d(np.asarray(found, dtype=np.float64)).ravel()
     except (TypeError, ValueError):
         raise SurfaceError(f"{name} = {values!r}: give numbers") from None
