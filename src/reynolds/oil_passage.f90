@@ -41,7 +41,7 @@ contains
       associate (grid => problem%grid, mesh => equations%mesh, content => equations%content, flow => equations%flow)
          nx = grid%nx
          allocate (passage%content(0:nx, 0:grid%ny), source=flow%f)
-         call go_on(passage%content, grid, state%p)
+         call fill_edges(passage%content, grid, state%p)
          passage%content(:, :) = min(1.0_dp, passage%content/(flow%rho*state%h))
          allocate (passage%offered(0:grid%ny), source=flow%f(0, :))
          allocate (passage%behind(0:grid%ny), source=flow%f(0, :))
@@ -73,7 +73,7 @@ contains
 
    !> Edges without pressure beside the contact and downstream, where no balance is asked for: the oil there is what the
    !> inlet edge has, or the nodes upstream.
-   pure subroutine go_on(oil, grid, p)
+   pure subroutine fill_edges(oil, grid, p)
       real(dp), intent(inout) :: oil(0:, 0:)   !! rho theta H, (0:nx, 0:ny)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: p(0:, 0:)
@@ -85,7 +85,7 @@ contains
          end if
       end do
       oil(grid%nx, :) = oil(grid%nx - 1, :)
-   end subroutine go_on
+   end subroutine fill_edges
 
    !> Where the gap becomes full upstream of the centre at Y = 0: behind the last node that is partly filled, the
    !> farther the less it holds between what arrives there and what would fill it. That share is driven back by the

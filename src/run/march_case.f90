@@ -152,8 +152,8 @@ contains
          call add_warning(result, 'no Ad/Ai: &dynamics end_time comes before the waves'//trim(merge( &
             ' and the change of the layer', repeat(' ', 28), layer_changes(case)))//' have passed and one period more')
       else if (plan%surfaces%is_rough()) then
-         call add_warning(result, 'no Ad/Ai: the pattern stands still, and a march follows its film without '// &
-            'measuring it; remove &dynamics end_time')
+         call add_warning(result, 'no Ad/Ai of the march: the pattern stands still, and a march follows its film '// &
+            'without measuring it; remove &dynamics end_time')
       end if
    end subroutine run_moving
 

@@ -108,7 +108,7 @@ class CaseProgram(FolderTest):
         waves = {**WAVY["waviness"], "orientation": "longitudinal"}
         outcome = self.run_case({**WAVY, "waviness": waves, "dynamics": {"end_time": 0.25}})
         self.check_status(outcome)
-        self.assertIn("no Ad/Ai: the pattern stands still", outcome.stdout)
+        self.assertIn("no Ad/Ai of the march: the pattern stands still", outcome.stdout)
         self.assertRegex(outcome.stdout, r"of H\(0,0\) in all 0\.\d+: mesh")
 
     def test_text_without_json(self):
