@@ -160,6 +160,29 @@ def test_error_of_films_of_unknown_rise(slip: float, central_um: float) -> None:
     assert film.central_error < 0.6
 
 
+GLASS_PAIR = {"radius_x_m": 0.03, "reduced_modulus_pa": 1.15e11, "load_n_per_m": 6.6e5}
+GLASS_PAIR |= {"mean_speed_m_per_s": 3.4, "viscosity_pa_s": 0.016, "slip_parameter": 1.28}
+GLASS_PAIR |= {"pressure_viscosity_per_pa": 2.4e-8, "roelands_index": 0.48}
+WARM_INLET = {"radius_x_m": 0.028, "radius_y_m": 0.06, "reduced_modulus_pa": 1.2e11, "load_n": 220}
+WARM_INLET |= {"mean_speed_m_per_s": 3.5, "viscosity_pa_s": 0.064, "slip_parameter": 0.19}
+WARM_INLET |= {"pressure_viscosity_per_pa": 1.8e-8, "roelands_index": 0.57}
+WARM_INLET |= {"eyring_stress_pa": 2.3e6}
+
+
+@pytest.mark.parametrize(
+    ("given", "beta", "conductivity", "central_um"),
+    [(GLASS_PAIR, 0.017, 2, 0.5832), (WARM_INLET, 0.06, 20, 0.8645)],
+)
+def test_error_of_films_of_hot_contacts(
+    given: dict[str, float], beta: float, conductivity: float, central_um: float
+) -> None:
+    """Of ehlwave-case, 1024 and 192 x 192 cells: an oil that expands, and sliding in the inlet."""
+    heat = ehlwave.Heat(313, beta, **OIL, body=ehlwave.BodyHeat(conductivity))
+    film = ehlwave.Contact(**given, heat=heat).film()
+    assert film.central_m * 1e6 == pytest.approx(central_um, rel=film.central_error)
+    assert film.central_error < 0.4
+
+
 def rollers_oil() -> ehlwave.Oil:
     return ehlwave.Oil.from_grade(iso_vg=46, temperature_k=333.15, eyring_stress_pa=5e6)
 

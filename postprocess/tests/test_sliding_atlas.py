@@ -51,12 +51,16 @@ def test_film_and_friction_are_those_of_the_program() -> None:
 
 @pytest.mark.parametrize(
     ("moes", "eyring_stress_pa", "slip", "friction"),
-    [((38, 11.8, 1), 21.5e6, 1.001, 0.009258), ((25, 8.8, 0.04), 1.2e6, 0.998, 1.069e-5)],
+    [
+        ((38, 11.8, 1), 21.5e6, 1.001, 0.009258),
+        ((25, 8.8, 0.04), 1.2e6, 0.998, 1.069e-5),
+        ((60, 9, 0), 8e6, 1.0002, 0.033868),
+    ],
 )
 def test_friction_is_less_well_known_at_slight_slip_and_of_light_contacts(
     moes: tuple[float, float, float], eyring_stress_pa: float, slip: float, friction: float
 ) -> None:
-    """Of the program on a domain of twice the length and width; viscosity counts at slight slip."""
+    """Of the program, points on twice the length and width; viscosity counts at slight slip."""
     oil = {"reduced_modulus_pa": 2.2e11, "eyring_stress_pa": eyring_stress_pa}
     keys = dict(zip(MOES, moes, strict=True)) | oil
     found = ehlwave.Contact(**keys, slip_parameter=slip).film()

@@ -34,19 +34,18 @@ little as there."""
 SLIGHT_SLIP_ERROR, THICKENED = 1.6, 10.0
 """Times M^(-1/2) the relative error of friction that slight slip adds at most, where alpha ph is
 the latter or more; in proportion below. 95 % of drawn contacts keep to it."""
+LINE_ERROR = 0.06
+"""The same of lines, whatever M, for whose atlas few contacts slip so little. Without it 10 of 68
+drawn lines with S within 0.00003 to 0.1 of 1 were outside their error, by up to 2.3 times."""
 
 
 def slight_slip_error(conditions: Conditions) -> float:
-    """Return the relative error of friction that slight slip adds.
-
-    The atlas of lines was fitted to slight slip, too, so that nothing is added there.
-    """
-    if conditions.is_line:
-        return 0.0
+    """Return the relative error of friction that slight slip adds."""
     slip = max(abs(conditions.slip_parameter - 1), SLIGHTEST_SLIP)
     share = math.log(SLIGHT_SLIP / slip) / math.log(SLIGHT_SLIP / SLIGHTEST_SLIP)
     thickened = min(1.0, conditions.alphabar / THICKENED)
-    return SLIGHT_SLIP_ERROR * conditions.m**-0.5 * thickened * max(0.0, share)
+    most = LINE_ERROR if conditions.is_line else SLIGHT_SLIP_ERROR * conditions.m**-0.5
+    return most * thickened * max(0.0, share)
 
 
 def friction_outside(
