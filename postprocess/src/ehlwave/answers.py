@@ -30,8 +30,8 @@ class Film:
     central_error, minimum_error : float
         Relative: 95 % of films computed anew lie within.
     friction : float or None
-        Friction coefficient without waves, isothermal unless the contact has heat; None: not known
-        (pure rolling, or an oil that is not Ree-Eyring's).
+        Friction coefficient without waves, its size, isothermal unless the contact has heat; None:
+        not known (pure rolling, or an oil that is not Ree-Eyring's).
     friction_error : float or None
         Relative, as those of films.
     source : str

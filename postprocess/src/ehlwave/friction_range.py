@@ -35,7 +35,7 @@ SLIGHT_SLIP_ERROR, THICKENED = 1.6, 10.0
 """Times M^(-1/2) the relative error of friction that slight slip adds at most, where alpha ph is
 the latter or more; in proportion below. 95 % of drawn contacts keep to it."""
 LINE_ERROR = 0.06
-"""The same of lines, whatever M, for whose atlas few contacts slip so little. Without it 10 of 68
+"""That of lines, whatever M: few contacts of their atlas slip so little. Without it 10 of 68
 drawn lines with S within 0.00003 to 0.1 of 1 were outside their error, by up to 2.3 times."""
 
 
