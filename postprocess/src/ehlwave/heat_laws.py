@@ -32,9 +32,9 @@ WARM_BAR, UNLIKE_BAR = 0.02, 0.02
 the difference of the effusivities over their sum."""
 SLIP_BAR = 0.2
 """More relative error of the film, times what sliding makes of the inlet: its factor in pure
-rolling over its factor, less 1. Of 146 drawn films with beta times the rise of the surfaces above 1,
-21 were outside their error without it and without that of an unknown density, by up to 3.5 times,
-and 4 are with both."""
+rolling over its factor, less 1. Of 146 drawn films with beta times the rise of the surfaces above
+1, 21 were outside their error without it and without that of an unknown density, by up to 3.5
+times, and 4 are with both."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
