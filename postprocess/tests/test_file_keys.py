@@ -185,17 +185,6 @@ def test_a_limit_counts_where_surfaces_slide(tmp_path: Path) -> None:
     assert read_given([file, "shear_limit_over_pressure=0"]).conditions.oil.other_laws == ()
 
 
-def test_a_modulus_without_effect_is_left_out_of_files_and_refused_of_words(tmp_path: Path) -> None:
-    moes = {"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 1}
-    modulus = {"reduced_modulus_pa": 2.26e11}  # of which the program has the friction
-    lengths = ["semi_axis_a_m=1e-4"]
-    with_it = contact_of(read_given([file_of(tmp_path, {"conditions": moes | modulus}), *lengths]))
-    words = [file_of(tmp_path, {"conditions": moes}), *lengths]
-    assert with_it.film() == contact_of(read_given(words)).film()
-    with pytest.raises(SurfaceError, match=r"reduced_modulus_pa .* has no effect"):
-        contact_of(read_given([*words, "reduced_modulus_pa=2.26e11"]))
-
-
 def test_films_of_other_oils_have_no_error_and_a_warning(tmp_path: Path, capsys: Capture) -> None:
     file = file_of(tmp_path, BASE, lubricant={"viscosity_law": "barus"})
     words = [trace(tmp_path), *READING, "--formula", "two-waves", "--conditions", file]

@@ -164,7 +164,7 @@ class Study(Shown):
         are shared. Or a :class:`pandas.DataFrame`, or a list of mappings: one case a row. A column
         ``label`` names the cases; results carry it.
     **shared
-        Keys that all cases share, besides.
+        Keys that all cases share, besides; a value of the grid stands before one of these.
 
     Raises
     ------
@@ -189,12 +189,11 @@ class Study(Shown):
     ) -> None:
         """Take the grid or the rows."""
         given: dict[str, Any] = dict(shared)
-        _refuse_both(grid, shared)
         if isinstance(grid, Mapping):
             grid = {key: in_si(value, key) for key, value in grid.items()}
             lists = {key: list(value) for key, value in grid.items() if _is_list(value)}
             self.rows: pd.DataFrame | None = None
-            given = {key: value for key, value in grid.items() if key not in lists} | given
+            given |= {key: value for key, value in grid.items() if key not in lists}
             grouped(lists)  # for its check
         else:
             lists, self.rows = {}, _rows(grid)
@@ -319,22 +318,6 @@ class Study(Shown):
             )
             sweep["case_file"] = str(table)
         return namelist({**self.groups, "sweep": sweep})
-
-
-def _refuse_both(grid: Any, shared: Mapping[str, Any]) -> None:  # noqa: ANN401 - as users give it
-    """Raise ProgramError if a key varies and is shared, too."""
-    if isinstance(grid, (Mapping, pd.DataFrame)):
-        varied = {*grid}
-    elif isinstance(grid, Sequence):
-        varied = {key for row in grid if isinstance(row, Mapping) for key in row}
-    else:
-        return
-    for key in shared:
-        if key in varied:
-            raise ProgramError(
-                f"Study: gives {key} in the grid and for all cases, {key} = {shared[key]!r:.60}: "
-                "remove one"
-            )
 
 
 def _rows(grid: Any) -> pd.DataFrame:  # noqa: ANN401 - what users give

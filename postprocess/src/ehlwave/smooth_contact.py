@@ -12,15 +12,14 @@ from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
 from ehlwave.atlas.chart import Chart
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions
-from ehlwave.contact.conditions_from_keys import MODULUS, conditions_from_keys, has_idle_modulus
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.data_sheet import Oil as DataSheetOil
 from ehlwave.contact.heat_data import Heat, heat_of
 from ehlwave.contact.two_bodies import contact_keys
 from ehlwave.deform.atlas_transfer import with_atlas_film, with_heated_film
-from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.errors import RangeError
 from ehlwave.film_answer import film_of
 from ehlwave.heated_contact import check_heat
-from ehlwave.hints import see
 from ehlwave.quantities import number
 from ehlwave.shown import html_table, within
 
@@ -43,11 +42,6 @@ class SmoothContact:
     ) -> None:
         """Check the keys and find M, L and D."""
         self.conditions: Conditions = conditions_from_keys(keys, "Contact", needs_lengths=False)
-        if has_idle_modulus(keys):
-            raise SurfaceError(
-                f"Contact: {MODULUS} beside M, L and D has no effect on a Newtonian oil: remove it,"
-                f" or give semi_axis_a_m and radius_x_m{see('keys')}"
-            )
         self._atlas = None if atlas is None else Path(atlas)
         self._charts: dict[float, Chart] = {}
         stress = keys.get("eyring_stress_pa")

@@ -226,6 +226,7 @@ contains
             call problem%film(self%given, state%p, state%delta, state%h)
          end do
          call self%equations%evaluate(problem, self%given, state)
+         problem%deformation%work = problem%deformation%work + self%equations%work()
       end associate
    end subroutine visit
 

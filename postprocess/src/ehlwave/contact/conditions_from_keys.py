@@ -9,7 +9,7 @@ from ehlwave.contact.conditions_from_moes import conditions_from_moes
 from ehlwave.contact.data_errors import DATA_ERRORS
 from ehlwave.contact.line_contact import LINE_KEYS, LOAD_KEY
 from ehlwave.contact.moes_parameters import DIMENSIONAL_KEYS, moes_values
-from ehlwave.contact.oil_keys import CARREAU_KEYS, OIL_KEYS
+from ehlwave.contact.oil_keys import OIL_KEYS
 from ehlwave.errors import SurfaceError
 from ehlwave.extras import load
 from ehlwave.hints import did_you_mean, see
@@ -21,7 +21,6 @@ CONTRADICTION = 0.1
 """Relative difference of the reduced modulus as it is given and as it follows from M, L and lengths
 from which on they contradict each other. Data rounded to two digits differ by less."""
 
-MODULUS = "reduced_modulus_pa"
 SCALE_KEYS = ("semi_axis_a_m", "radius_x_m", "central_film_m")
 """Lengths that M, L and D leave open."""
 
@@ -112,13 +111,6 @@ def conditions_from_keys(
     if has_moes:
         _refuse_contradiction(values, found, place)
     return found
-
-
-def has_idle_modulus(keys: Mapping[str, Any]) -> bool:
-    """Return whether E' stands beside M, L and D where nothing depends on it."""
-    uses = ("eyring_stress_pa", *CARREAU_KEYS, "radius_x_m")
-    has_moes = any(key in keys for key in MOES_KEYS)
-    return has_moes and MODULUS in keys and not any(key in keys for key in uses)
 
 
 def _refuse_contradiction(values: Mapping[str, float], found: Conditions, place: str) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.contact.conditions import Conditions
-from ehlwave.contact.conditions_from_keys import MODULUS, conditions_from_keys, has_idle_modulus
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.file_keys import (
     FLOW_LAW,
     KNOWN_LAWS,
@@ -112,8 +112,6 @@ def _every_key(words: Sequence[str]) -> dict[str, Any]:
             found = keys_of_file(Path(word))
             refuse_both(found, f"conditions {word}")
             keys = merged(keys, found)
-    if MODULUS not in {name.strip() for name, mark, _ in typed if mark} and has_idle_modulus(keys):
-        del keys[MODULUS]  # the program has the friction of it
     return keys
 
 

@@ -9,7 +9,6 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.choices import Decimal
 from ehlwave.errors import SurfaceError
 from ehlwave.extras import install
 from ehlwave.hdf5 import DATA_PER_BYTE, opened, reason
@@ -128,12 +127,6 @@ def raw_instrument(file: Path) -> RawSurface:
         raise SurfaceError(
             f"{file}: SurfaceTopography cannot read it ({type(error).__name__}: {reason(error)})"
         ) from error
-
-
-def refuse_decimal(file: Path, decimal: Decimal | None) -> None:
-    """Raise SurfaceError if it is said what decimals begin with of numbers that are no text."""
-    if decimal is not None:
-        raise SurfaceError(f"{file}: decimal='{decimal}' is of text files: remove it")
 
 
 def refuse_large(file: Path, points: int) -> None:

@@ -13,7 +13,6 @@ from ehlwave.deform.raw_surface import (
     is_topography,
     raw_array,
     raw_topography,
-    refuse_decimal,
 )
 from ehlwave.deform.surface import (
     Surface,
@@ -160,10 +159,8 @@ def _found(source: SurfaceSource, options: ReadOptions) -> tuple[Path, RawSurfac
         return Path(source), raw_file(Path(source), options.decimal)
     if is_topography(source):
         place = Path(str(getattr(source, "info", {}).get("name", "topography")))
-        refuse_decimal(place, options.decimal)
         return place, raw_topography(source, place)
     place = Path("array")
-    refuse_decimal(place, options.decimal)
     return place, raw_array(np.ma.asarray(source), place)
 
 

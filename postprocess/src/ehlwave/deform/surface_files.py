@@ -9,12 +9,7 @@ import h5py
 import numpy as np
 
 from ehlwave.choices import Decimal
-from ehlwave.deform.raw_surface import (
-    RawSurface,
-    raw_instrument,
-    refuse_decimal,
-    refuse_large,
-)
+from ehlwave.deform.raw_surface import RawSurface, raw_instrument, refuse_large
 from ehlwave.deform.surface import is_uniform
 from ehlwave.deform.text_table import TextTable, position_and_height, read_text_table
 from ehlwave.deform.units import METRES
@@ -31,13 +26,11 @@ ARRAYS = ("height", "x", "y")
 def raw_file(file: Path, decimal: Decimal | None) -> RawSurface:
     """Return what a file holds; `decimal` is what decimals of a text begin with, if it is said.
 
-    Raises SurfaceError if the file cannot be read, or `decimal` is said of one that is no text.
+    Raises SurfaceError if the file cannot be read.
     """
     suffix = file.suffix.lower()
     try:
         check_is_file(file)
-        if suffix not in _TEXT:
-            refuse_decimal(file, decimal)
         if suffix in _TEXT:
             refuse_large(file, file.stat().st_size // 2)
             return _from_text(file, decimal)
