@@ -169,23 +169,27 @@ contains
       type(case_input_t) :: input
       type(key_list_t) :: given
       logical :: is_said(most_keys), is_used(most_keys)   ! said: a row has another value than the default
+      integer, allocatable :: doubtful(:)                 ! keys of columns that may count nowhere
       integer :: row
 
       call sweep%vary(pack(columns, columns > 0), any(columns == 0))
+      doubtful = pack(columns, columns > 0)
+      doubtful = pack(doubtful, .not. (table%keys(doubtful)%counts .or. table%keys(doubtful)%is_effort))
       call note_replaced(file, base, table, sweep)
       is_said = .false.
       is_used = .false.
       do row = 1, size(rows%line)
          input = base
          call set_row(rows, row, table, columns, input, error)
-         given = case_values(input%case)
-         is_said(:table%count) = is_said(:table%count) .or. &
-                                 .not. is_same(given%values(:table%count), table%values(:table%count))
+         if (.not. all(is_said(doubtful))) then
+            given = case_values(input%case)
+            is_said(doubtful) = is_said(doubtful) .or. .not. is_same(given%values(doubtful), table%values(doubtful))
+         end if
          call sweep%add(input, table, rows%path//':'//to_text(rows%line(row))//': ', error)
          if (allocated(error)) return
          is_used = is_used .or. input%is_given
       end do
-      call refuse_idle_column(rows, table, pack(columns, columns > 0), is_said .and. .not. is_used, error)
+      call refuse_idle_column(rows, table, pack(doubtful, is_said(doubtful) .and. .not. is_used(doubtful)), error)
       is_used(pack(columns, columns > 0)) = .true.
       call refuse_idle(file, base, table, [integer ::], is_used, error)
    end subroutine add_rows
@@ -209,22 +213,17 @@ contains
    end subroutine note_replaced
 
    !> Refuse a column whose values count in none of the rows.
-   subroutine refuse_idle_column(rows, table, columns, is_idle, error)
+   subroutine refuse_idle_column(rows, table, idle, error)
       type(csv_t), intent(in) :: rows
-      type(key_list_t), intent(in) :: table            !! with the defaults
-      integer, intent(in) :: columns(:)                !! numbers of their keys
-      logical, intent(in) :: is_idle(:)                !! by number of the key
+      type(key_list_t), intent(in) :: table
+      integer, intent(in) :: idle(:)                   !! numbers of the keys of such columns
       type(error_t), allocatable, intent(inout) :: error
-      integer :: i
 
-      do i = 1, size(columns)
-         associate (key => table%keys(columns(i)))
-            if (key%counts .or. key%is_effort .or. .not. is_idle(columns(i))) cycle
-            call raise(error, rows%path//": column '"//trim(key%name)//"': belongs to "//trim(key%when)// &
-                       ', which none of the rows has: remove it, or set what it belongs to')
-            return
-         end associate
-      end do
+      if (size(idle) == 0) return
+      associate (key => table%keys(idle(1)))
+         call raise(error, rows%path//": column '"//trim(key%name)//"': belongs to "//trim(key%when)// &
+                    ', which none of the rows has: remove it, or set what it belongs to')
+      end associate
    end subroutine refuse_idle_column
 
    !> Refuse a key that is given, says something and applies to none of the cases.
