@@ -73,9 +73,9 @@ def refuse_outside(contact: Conditions, kind: Kind) -> None:
         if ends is not None
     ]
     texts = [one for one in texts if one[1] < one[2]]
-    texts = [one for one in texts if _is_small(given[one[0]], *one[1:])] or (
-        texts if _nearest(place, given, powers, kind, names) == NOWHERE else []
-    )
+    small = [one for one in texts if _is_small(given[one[0]], *one[1:])]
+    nearest = "" if small else _nearest(place, given, powers, kind, names)
+    texts = small or (texts if nearest == NOWHERE else [])
     said = beyond or ", ".join(_coordinate(key, place[key], ranges[key]) for key in wrong)
     if texts:
         first, low, high = texts[0]
@@ -89,7 +89,7 @@ def refuse_outside(contact: Conditions, kind: Kind) -> None:
             name, factor = names.get(key, (key, 1.0))
             text += f", or {name} of {_ends(low * factor, high * factor)} {_unit(key, name)}"
     else:
-        text = f"this contact has {said}; {_nearest(place, given, powers, kind, names)}"
+        text = f"this contact has {said}; {nearest}"
     raise RangeError(f"{text}; or compute it: ehlwave-case, ehlwave.Case{see('atlas')}")
 
 
