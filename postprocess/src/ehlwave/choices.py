@@ -9,6 +9,8 @@ from ehlwave.hints import did_you_mean
 Form = Literal["none", "mean", "plane", "quadratic"]
 FORMS: dict[Form, int | None] = {"none": None, "mean": 0, "plane": 1, "quadratic": 2}
 """Polynomials to remove from a surface, by their total degree."""
+FORM: Form = "plane"
+"""The one that commands remove."""
 
 Axis = Literal["x", "y"]
 AXES: tuple[Axis, ...] = ("x", "y")
@@ -19,7 +21,7 @@ LAWS = ("atlas", "two-waves", "recommended", "paper")
 
 Window = Literal["none", "taper", "mirror"]
 WINDOWS: tuple[Window, ...] = ("mirror", "taper", "none")
-"""Treatments of the ends of a surface."""
+"""Treatments of the ends of a surface; commands take the first."""
 
 Decimal = Literal["point", "comma"]
 DECIMALS: tuple[Decimal, ...] = ("point", "comma")
@@ -32,6 +34,9 @@ RATIO_COLUMNS: dict[Ratio, str] = {
     "harmonic": "harmonic_extrapolated",
 }
 """Columns of results that Ad/Ai is taken from."""
+
+POISSON_RATIO = 0.3
+"""Of steel: that of bodies of which nothing is said."""
 
 REPLICATES, SEED = 1000, 20000
 """Samples of the bootstrap, and the seed of its random numbers."""

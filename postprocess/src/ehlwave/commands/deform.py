@@ -132,7 +132,7 @@ def _add_prediction(parser: argparse.ArgumentParser) -> None:
     add_ratio(parser)
     add_reading(parser)
     parser.add_argument(
-        "--ends", choices=WINDOWS, default="mirror", help="what is done about the ends; see below"
+        "--ends", choices=WINDOWS, default=WINDOWS[0], help="what is done about the ends; see below"
     )
     parser.add_argument(
         "--cutoff",

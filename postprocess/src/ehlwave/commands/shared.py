@@ -5,7 +5,7 @@ from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
 
-from ehlwave.choices import DECIMALS, FORMS
+from ehlwave.choices import DECIMALS, FORM, FORMS
 
 Run = Callable[[argparse.Namespace], None]
 
@@ -63,6 +63,6 @@ def add_reading(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--form",
         choices=tuple(FORMS),
-        default="plane",
+        default=FORM,
         help="polynomial to remove: nothing, offset, tilt (default), tilt and curvature",
     )

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from ehlwave.choices import WINDOWS
+from ehlwave.choices import POISSON_RATIO, WINDOWS
 from ehlwave.command_line import add_ratio
 from ehlwave.commands.shared import add_overwrite, add_reading, later
 
@@ -62,7 +62,11 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
         "--cycles", type=float, default=1e8, metavar="N", help="of Dang Van's criterion; 1e8"
     )
     parser.add_argument(
-        "--poisson-ratio", type=float, default=0.3, metavar="NU", help="of both bodies; 0.3"
+        "--poisson-ratio",
+        type=float,
+        default=POISSON_RATIO,
+        metavar="NU",
+        help="of both bodies; 0.3",
     )
     parser.add_argument(
         "--depths",
@@ -76,7 +80,7 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
     )
     add_reading(parser)
     parser.add_argument(
-        "--ends", choices=WINDOWS, default="mirror", help="what is done about the ends of FILE"
+        "--ends", choices=WINDOWS, default=WINDOWS[0], help="what is done about the ends of FILE"
     )
     parser.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
     parser.add_argument("--json", action="store_true", help="print JSON instead of text")

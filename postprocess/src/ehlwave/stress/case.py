@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
 from ehlwave.case_file import read_contact, whole_domain
+from ehlwave.choices import POISSON_RATIO
 from ehlwave.errors import StressError
 from ehlwave.stress.field import stress_below, stress_line
 from ehlwave.stress.loads import checked_depths, checked_load
@@ -119,7 +120,7 @@ def stress_of_case(
     case: xr.Dataset | str | Path,
     depths_m: ArrayLike,
     body: int = 1,
-    poisson_ratio: float = 0.3,
+    poisson_ratio: float = POISSON_RATIO,
     workers: int = 1,
 ) -> xr.Dataset:
     """Return the stresses below the last solution of a case, friction included.
@@ -145,7 +146,10 @@ def stress_of_case(
 
 
 def line_stress_over_time(
-    case: xr.Dataset | str | Path, depths_m: ArrayLike, body: int = 1, poisson_ratio: float = 0.3
+    case: xr.Dataset | str | Path,
+    depths_m: ArrayLike,
+    body: int = 1,
+    poisson_ratio: float = POISSON_RATIO,
 ) -> xr.Dataset:
     """Return the stresses in the plane y = 0 over time, of a march with ``fields_every``.
 

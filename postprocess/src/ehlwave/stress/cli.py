@@ -10,6 +10,7 @@ from typing import Any
 import h5py
 import numpy as np
 
+from ehlwave.choices import FORM, WINDOWS
 from ehlwave.contact.conditions_read import read_given
 from ehlwave.deform.read import ReadOptions
 from ehlwave.errors import StressError
@@ -22,8 +23,8 @@ OF_SURFACES = {
     "second": None,
     "smooth": None,
     "slide_to_roll_ratio": None,
-    "form": "plane",
-    "ends": "mirror",
+    "form": FORM,
+    "ends": WINDOWS[0],
     **{field.name: field.default for field in fields(ReadOptions)},
 }
 """Options of measured surfaces, with their defaults; a file of ``ehlwave-case`` has its own."""

@@ -6,13 +6,14 @@ from typing import Any, Protocol
 import xarray as xr
 from numpy.typing import ArrayLike
 
+from ehlwave.choices import POISSON_RATIO
 from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.pair import DeformedPair
 from ehlwave.deform.predict import Deformed
 from ehlwave.deform.raw_surface import SurfaceSource
 from ehlwave.deform.surface import Surface
 from ehlwave.errors import RangeError
-from ehlwave.stress.loads import POISSON_RATIO, PoissonRatio
+from ehlwave.stress.loads import PoissonRatio
 from ehlwave.stress.rough import RoughStress, rough_stress
 
 UNKNOWN_FRICTION = (

@@ -7,6 +7,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 from scipy import fft
 
+from ehlwave.choices import POISSON_RATIO
 from ehlwave.stress.images import ImageCorrection, coarse_factor
 from ehlwave.stress.loads import Load, checked_depths, checked_load
 from ehlwave.stress.spectral import RepeatedLoad
@@ -34,7 +35,7 @@ def stress_below(
     *,
     traction_x_pa: ArrayLike | xr.DataArray | None = None,
     traction_y_pa: ArrayLike | xr.DataArray | None = None,
-    poisson_ratio: float = 0.3,
+    poisson_ratio: float = POISSON_RATIO,
     periodic: bool | tuple[bool, bool] = False,
     workers: int = 1,
 ) -> xr.Dataset:

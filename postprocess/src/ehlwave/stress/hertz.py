@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ellipeinc, ellipkinc
 
+from ehlwave.choices import POISSON_RATIO
 from ehlwave.errors import StressError
 
 Floats = NDArray[np.float64]
@@ -37,7 +38,7 @@ def hertz_line_stress(
     a_m: float,
     hertz_pa: float = 1.0,
     friction: float = 0.0,
-    poisson_ratio: float = 0.3,
+    poisson_ratio: float = POISSON_RATIO,
 ) -> Stresses:
     """Return the stresses below a line contact, plane strain, with a traction of friction times p.
 
@@ -80,7 +81,7 @@ def hertz_circle_stress(
     z_m: ArrayLike,
     a_m: float,
     hertz_pa: float = 1.0,
-    poisson_ratio: float = 0.3,
+    poisson_ratio: float = POISSON_RATIO,
 ) -> Stresses:
     """Return the stresses below a circular contact at any place.
 
@@ -121,7 +122,11 @@ def hertz_circle_stress(
 
 
 def hertz_axis_stress(
-    z_m: ArrayLike, a_m: float, b_m: float, hertz_pa: float = 1.0, poisson_ratio: float = 0.3
+    z_m: ArrayLike,
+    a_m: float,
+    b_m: float,
+    hertz_pa: float = 1.0,
+    poisson_ratio: float = POISSON_RATIO,
 ) -> Stresses:
     """Return the stresses on the z axis below an elliptical contact.
 

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from ehlwave.choices import POISSON_RATIO
 from ehlwave.errors import StressError, SurfaceError
 from ehlwave.quantities import number, plain
 
@@ -15,9 +16,6 @@ Floats = NDArray[np.float64]
 SAME_STEP = 1e-6
 """Relative: coordinates of a DataArray are kept where their steps are those that are given."""
 
-
-POISSON_RATIO = 0.3
-"""Of steel: that of bodies of which nothing is said."""
 
 PoissonRatio = float | tuple[float, float]
 """Of both bodies, or of the first and of the other one."""
@@ -58,7 +56,7 @@ def checked_load(
     traction_x_pa: ArrayLike | xr.DataArray | None,
     traction_y_pa: ArrayLike | xr.DataArray | None,
     steps_m: tuple[float, float] | float,
-    poisson_ratio: float = 0.3,
+    poisson_ratio: float = POISSON_RATIO,
     periodic: bool | tuple[bool, bool] = False,
 ) -> Load:
     """Return loads that can be computed with; arguments as of :func:`ehlwave.stress.stress_below`.

@@ -9,6 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from ehlwave.choices import POISSON_RATIO
 from ehlwave.stress.hertz import NEARLY_CIRCULAR, hertz_circle_stress, hertz_line_stress
 from ehlwave.stress.waves import wave_stress
 
@@ -28,7 +29,7 @@ def hertz_midplane_stress(
     semi_axes_m: tuple[float, float],
     hertz_pa: float,
     friction: float = 0.0,
-    poisson_ratio: float = 0.3,
+    poisson_ratio: float = POISSON_RATIO,
 ) -> Stresses:
     """Return the stresses at y = 0 below an elliptical or a line contact, shape (z, x), Pa.
 

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from ehlwave.choices import POISSON_RATIO
 from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.predict import Deformed
 from ehlwave.deform.ripple import hertz_pressure_of
@@ -23,7 +24,6 @@ from ehlwave.stress.history import follow
 from ehlwave.stress.life import CYCLE_POWER, LINE_CYCLE_POWER
 from ehlwave.stress.loads import (
     DEEPEST,
-    POISSON_RATIO,
     PoissonRatio,
     checked_depths,
     checked_number,

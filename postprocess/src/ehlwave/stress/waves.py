@@ -24,6 +24,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ehlwave.choices import POISSON_RATIO
+
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
@@ -87,7 +89,7 @@ LOADS = {"pressure_pa": PRESSURE, "traction_x_pa": TRACTION_X, "traction_y_pa": 
 
 
 def wave_stress(
-    load: str, a: ArrayLike, b: ArrayLike, depth: ArrayLike, poisson_ratio: float = 0.3
+    load: str, a: ArrayLike, b: ArrayLike, depth: ArrayLike, poisson_ratio: float = POISSON_RATIO
 ) -> dict[str, Complex]:
     """Return the stresses below a load exp(i (a x + b y)), tension positive, per unit of load.
 
