@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from ehlwave import Contact, write_figure
-from ehlwave.deform import (
+from ehlwave.surface import (
     deformed_figure,
     report_text,
     spectrum_figure,

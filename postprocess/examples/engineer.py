@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 import ehlwave
-from ehlwave.deform import report_text
+from ehlwave.surface import report_text
 
 contact = ehlwave.Contact(
     radius_x_m=12.52e-3,

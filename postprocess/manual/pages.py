@@ -16,10 +16,10 @@ from pathlib import Path
 import h5py
 
 import ehlwave
-from ehlwave.atlas.kinds import KINDS
-from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.cli import command_names
-from ehlwave.programs import find_program
+from ehlwave.laws.atlas.kinds import KINDS
+from ehlwave.laws.atlas.ranges import WAVE_RANGE
+from ehlwave.programs.programs import find_program
 
 ROOT = Path(__file__).parents[2]
 EHLWAVE = (sys.executable, "-c", "from ehlwave.cli import main; main()")

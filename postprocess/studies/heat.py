@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 from ehlwave.contact import Conditions, conditions_from_keys
 from ehlwave.contact.heat_data import BodyHeat, Heat
-from ehlwave.figures import write_figure
-from ehlwave.heat_laws import (
+from ehlwave.laws.heat_laws import (
     FRICTION_COEFFICIENTS,
     INLET_COEFFICIENTS,
     friction_factor,
@@ -23,7 +22,8 @@ from ehlwave.heat_laws import (
     thermal_loading,
     wall_parameter,
 )
-from ehlwave.sheared_film import Sheared, shear_isothermal, shear_warm
+from ehlwave.laws.sheared_film import Sheared, shear_isothermal, shear_warm
+from ehlwave.results.figures import write_figure
 from ehlwave.writing import Writer
 from studies.folds import held_out
 from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep

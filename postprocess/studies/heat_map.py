@@ -12,7 +12,7 @@ import numpy as np
 
 from ehlwave.contact import conditions_from_keys
 from ehlwave.contact.scales import radius_ratio
-from ehlwave.schema import SETTLED
+from ehlwave.results.schema import SETTLED
 from studies.command import maps
 from studies.command.options import step_parser
 from studies.programs import Groups, last_line, processor_seconds

@@ -14,10 +14,10 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from ehlwave.errors import ResultsError
-from ehlwave.figures import COLOURS, write_figure
-from ehlwave.read import read_results
-from ehlwave.schema import CONVERGED, DIMENSION, UNRESOLVED
-from ehlwave.tables import write_dataset_csv
+from ehlwave.results.figures import COLOURS, write_figure
+from ehlwave.results.read import read_results
+from ehlwave.results.schema import CONVERGED, DIMENSION, UNRESOLVED
+from ehlwave.results.tables import write_dataset_csv
 from studies.command import maps
 from studies.command.options import step_parser
 from studies.sweeps import run_command
@@ -48,7 +48,7 @@ def linearity_points(results: xr.Dataset) -> xr.Dataset:
     Parameters
     ----------
     results : xarray.Dataset
-        From :func:`ehlwave.read.read_results`, of cases with ``response = 'both'``.
+        From :func:`ehlwave.results.read.read_results`, of cases with ``response = 'both'``.
 
     Returns
     -------

@@ -13,14 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
+from ehlwave.contact.formula import power_ratio
 from ehlwave.contact.oils import Oil
+from ehlwave.contact.starvation import FILM_RANGES, film_sharpness
 from ehlwave.errors import ResultsError
-from ehlwave.figures import write_figure
-from ehlwave.formula import power_ratio
 from ehlwave.hdf5 import opened
-from ehlwave.programs import namelist
-from ehlwave.replenishment import after_overrollings, fluidity_integral
-from ehlwave.starvation import FILM_RANGES, film_sharpness
+from ehlwave.laws.replenishment import after_overrollings, fluidity_integral
+from ehlwave.programs.programs import namelist
+from ehlwave.results.figures import write_figure
 from ehlwave.writing import Writer
 from studies.programs import last_line, run
 from studies.sweeps import Row, write_rows

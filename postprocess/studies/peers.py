@@ -9,7 +9,7 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from ehlwave.figures import write_figure
+from ehlwave.results.figures import write_figure
 from studies import peer_runs
 from studies.command import costs
 from studies.command.options import step_parser

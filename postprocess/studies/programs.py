@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from ehlwave.programs import Groups, namelist
+from ehlwave.programs.programs import Groups, namelist
 from ehlwave.writing import write_new_text
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -10,7 +10,7 @@ from pathlib import Path
 import pandas as pd
 from matplotlib.figure import Figure
 
-from ehlwave.figures import write_figure
+from ehlwave.results.figures import write_figure
 from ehlwave.writing import Writer
 
 Cell = str | float | int | None

@@ -6,8 +6,8 @@ import pandas as pd
 import xarray as xr
 
 from ehlwave.errors import ResultsError
-from ehlwave.points import CONDITION
-from ehlwave.read import read_results
+from ehlwave.results.points import CONDITION
+from ehlwave.results.read import read_results
 
 STAGES = "stages.csv"
 POINT = (*CONDITION, "wavelength_x_over_a", "wavelength_y_over_a")

@@ -11,10 +11,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from ehlwave.figures import write_figure
-from ehlwave.formula import power_ratio, recommended_parameter, recommended_sharpness
-from ehlwave.formula import wave_and_direction as direction_of
-from ehlwave.starvation import FILM_COEFFICIENTS, WAVE_COEFFICIENTS
+from ehlwave.contact.formula import power_ratio, recommended_parameter, recommended_sharpness
+from ehlwave.contact.formula import wave_and_direction as direction_of
+from ehlwave.contact.starvation import FILM_COEFFICIENTS, WAVE_COEFFICIENTS
+from ehlwave.results.figures import write_figure
 from ehlwave.writing import Writer
 from studies.folds import Law, fitted, held_out
 from studies.overrollings import report_overrollings

@@ -17,12 +17,12 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ehlwave import Contact
-from ehlwave.deform import Conditions, Surface, deform_surface
-from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
-from ehlwave.deform.transfer import FormulaBasis, Transfer
-from ehlwave.figures import COLOURS, write_figure
+from ehlwave.laws.atlas_transfer import AtlasTransfer, with_atlas_film
+from ehlwave.laws.transfer import FormulaBasis, Transfer
+from ehlwave.results.figures import COLOURS, write_figure
 from ehlwave.stress.figures import STYLE
 from ehlwave.stress.rough import RoughStress, rough_stress
+from ehlwave.surface import Conditions, Surface, deform_surface
 from ehlwave.writing import Writer
 from studies.command import maps
 from studies.command.options import step_parser

@@ -8,8 +8,8 @@ from collections.abc import Callable
 import numpy as np
 
 from ehlwave import Contact
-from ehlwave.deform import trace_surface
 from ehlwave.stress import hertz_pressure, stress_below
+from ehlwave.surface import trace_surface
 from studies.stress import CONTACT
 
 DEPTHS = (8, 32)

@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from ehlwave.deform import Surface, simulation_surface, write_simulation_surface
 from ehlwave.errors import ResultsError
-from ehlwave.read import read_results
+from ehlwave.results.read import read_results
+from ehlwave.surface import Surface, simulation_surface, write_simulation_surface
 from ehlwave.writing import Writer
 from studies.programs import Groups, namelist, paper_edges
 

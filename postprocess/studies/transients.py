@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.errors import ResultsError
-from ehlwave.read import read_results
+from ehlwave.results.read import read_results
 from studies.command import checks
 from studies.command.options import step_parser
 from studies.sweeps import run_command

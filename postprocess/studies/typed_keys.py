@@ -1,6 +1,6 @@
 """Write the keys of the program as types, for editors and type checkers.
 
-python -m studies.typed_keys        writes src/ehlwave/keys.py from ehlwave-case --keys --json
+python -m studies.typed_keys   writes src/ehlwave/inputs/keys.py from ehlwave-case --keys --json
 """
 
 import sys
@@ -12,11 +12,11 @@ from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.driver import key_table
 from ehlwave.writing import Writer
 
-PLACE = Path(__file__).parents[1] / "src" / "ehlwave" / "keys.py"
+PLACE = Path(__file__).parents[1] / "src" / "ehlwave" / "inputs" / "keys.py"
 TYPES = {"number": "SupportsFloat", "whole": "SupportsIndex", "truth": "bool", "word": "str"}
 WIDTH = 100
 
-OBJECTS = dict.fromkeys(("file", "file_2"), "Text | Surface | TopographyLike")
+OBJECTS = dict.fromkeys(("file", "file_2"), "Text | SurfaceLike | TopographyLike")
 """Keys that take more than the name of a file."""
 
 HEADER = '''\
@@ -28,8 +28,7 @@ from os import PathLike
 from typing import TYPE_CHECKING, Literal, SupportsFloat, SupportsIndex, TypedDict
 
 if TYPE_CHECKING:
-    from ehlwave.deform.raw_surface import TopographyLike
-    from ehlwave.deform.surface import Surface
+    from ehlwave.inputs.surfaces import SurfaceLike, TopographyLike
 
 Text = str | PathLike[str]
 '''

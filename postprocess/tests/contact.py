@@ -1,6 +1,6 @@
 """Contacts of the tests: that of the paper's experiment (its Table 1), and a ball on a disc."""
 
-from ehlwave.deform import Conditions, conditions_from_keys
+from ehlwave.surface import Conditions, conditions_from_keys
 
 EXPERIMENT = {
     "radius_x_m": 12.52e-3,

@@ -6,7 +6,7 @@ from typing import Any
 import h5py
 import numpy as np
 
-from ehlwave.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
+from ehlwave.contact.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
 from ehlwave.writing import LIST_NAME
 
 Columns = dict[str, np.ndarray]

@@ -10,7 +10,7 @@ from contact import BALL
 
 import ehlwave
 from ehlwave.cli import main
-from ehlwave.deform.answer import REGIMES, answer_of, regimes_of
+from ehlwave.surface.answer import REGIMES, answer_of, regimes_of
 
 Capture = pytest.CaptureFixture[str]
 
@@ -111,7 +111,7 @@ def test_the_answer_of_two_surfaces_is_that_of_both(tmp_path: Path, capsys: Capt
 
 def test_a_film_that_is_not_known_and_a_smooth_surface_are_said(tmp_path: Path) -> None:
     moes = {"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 1}
-    trace = ehlwave.deform.trace_surface(np.zeros(400) + 1e-30, 2e-6)
+    trace = ehlwave.surface.trace_surface(np.zeros(400) + 1e-30, 2e-6)
     contact = ehlwave.Contact(**moes, semi_axis_a_m=2e-4)
     assert "lambda is not known" in answer_of(contact.deform(trace).statistics).text()
     contact = ehlwave.Contact(**BALL)

@@ -20,8 +20,8 @@ from ehlwave.app.task import Task, answered
 from ehlwave.app.uploads import LARGEST_BYTES, Upload, file_name, read_upload
 from ehlwave.app.work import SMALL_BYTES, Pools
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
-from ehlwave.deform.read import ReadOptions
 from ehlwave.errors import SurfaceError
+from ehlwave.surface.read import ReadOptions
 
 
 @pytest.mark.parametrize(

@@ -8,17 +8,17 @@ import xarray as xr
 from contact import EXPERIMENT
 
 import ehlwave
-from ehlwave.atlas.atlas import Atlas, load_atlas, shipped
-from ehlwave.atlas.committee import Committee
-from ehlwave.atlas.coordinates import hertz_film
-from ehlwave.atlas.kinds import KINDS, Kind
-from ehlwave.atlas.ranges import THICKEST_FILM, THINNEST_FILM
-from ehlwave.atlas.shape import Shape
-from ehlwave.atlas.stored import checksum, committee_of
 from ehlwave.contact.conditions import MOES_KEYS
 from ehlwave.contact.scales import ellipticity, moes_per_film
-from ehlwave.deform import trace_surface
-from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
+from ehlwave.laws.atlas.atlas import Atlas, load_atlas, shipped
+from ehlwave.laws.atlas.committee import Committee
+from ehlwave.laws.atlas.coordinates import hertz_film
+from ehlwave.laws.atlas.kinds import KINDS, Kind
+from ehlwave.laws.atlas.ranges import THICKEST_FILM, THINNEST_FILM
+from ehlwave.laws.atlas.shape import Shape
+from ehlwave.laws.atlas.stored import checksum, committee_of
+from ehlwave.laws.atlas_transfer import AtlasTransfer, with_atlas_film
+from ehlwave.surface import trace_surface
 from studies.atlas.fit import OF_ERRORS
 from studies.atlas.losses import Errors, Films, Waves, part
 from studies.atlas.store import variables_of, write_atlas

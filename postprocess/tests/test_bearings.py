@@ -2,9 +2,9 @@
 
 import pytest
 
-from ehlwave.atlas.kind import is_within
-from ehlwave.atlas.kinds import WIDE
 from ehlwave.contact.conditions import MOES_KEYS
+from ehlwave.laws.atlas.kind import is_within
+from ehlwave.laws.atlas.kinds import WIDE
 from studies.atlas import bearings
 from studies.atlas.catalogue import DRAWS
 from studies.atlas.design import CONTACTS, FIRST_BATCHES, FIRST_RANGES, WIDE_DESIGN, wide_contacts

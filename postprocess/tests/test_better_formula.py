@@ -6,7 +6,7 @@ import pandas as pd
 import pytest
 from synthetic import write_results
 
-from ehlwave.formula import (
+from ehlwave.contact.formula import (
     amplitude_ratio_formula,
     f_of_r,
     recommended_parameter,

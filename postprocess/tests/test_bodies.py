@@ -12,9 +12,9 @@ from scipy.special import ellipe, ellipk
 import ehlwave
 from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.contact.materials import MATERIALS
-from ehlwave.deform.table_read import table_rows
 from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.slip import ratio_of, slip_of
+from ehlwave.inputs.slip import ratio_of, slip_of
+from ehlwave.laws.table_read import table_rows
 
 OIL = {"viscosity_pa_s": 0.05, "pressure_viscosity_per_pa": 2e-8}
 STEEL = {"elastic_modulus_pa": 2.06e11, "poisson_ratio": 0.3}

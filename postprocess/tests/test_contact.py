@@ -5,9 +5,9 @@ import pytest
 import xarray as xr
 from synthetic import written_names
 
-from ehlwave.case_file import contact_figure, read_contact
 from ehlwave.cli import main
 from ehlwave.errors import ResultsError
+from ehlwave.results.case_file import contact_figure, read_contact
 
 
 def _write(path: Path, y: np.ndarray, **attributes: str) -> Path:

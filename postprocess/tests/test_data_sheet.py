@@ -185,7 +185,7 @@ def test_the_lambda_ratio_carries_it() -> None:
     data = {"radius_x_m": 0.01, "radius_y_m": 0.01, "reduced_modulus_pa": 2.26e11, "load_n": 30}
     data |= {"mean_speed_m_per_s": 0.5, "viscosity_pa_s": 0.05}
     x = np.arange(0, 2e-3, 2e-6)
-    trace = ehlwave.deform.trace_surface(20e-9 * np.cos(2 * np.pi * x / 1e-4), step_m=2e-6)
+    trace = ehlwave.surface.trace_surface(20e-9 * np.cos(2 * np.pi * x / 1e-4), step_m=2e-6)
     known, unsure = (
         ehlwave.Contact(**data, viscosity_error=e).deform(trace).statistics for e in (0, 0.1)
     )

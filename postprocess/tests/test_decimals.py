@@ -5,8 +5,8 @@ import pytest
 from contact import BALL
 
 from ehlwave.cli import main
-from ehlwave.deform import ReadOptions, read_surface
 from ehlwave.errors import SurfaceError
+from ehlwave.surface import ReadOptions, read_surface
 
 STEP = {"length_unit": "um", "height_unit": "nm", "step": 2.0}
 WITHOUT_STEP = {"length_unit": "um", "height_unit": "nm"}

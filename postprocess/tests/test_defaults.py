@@ -10,10 +10,10 @@ import pytest
 from contact import EXPERIMENT
 
 import ehlwave
-import ehlwave.deform
-from ehlwave.deform import read_conditions, trace_surface
+import ehlwave.surface
 from ehlwave.errors import SurfaceError
-from ehlwave.programs import find_program
+from ehlwave.programs.programs import find_program
+from ehlwave.surface import read_conditions, trace_surface
 
 SLIDING = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 SLIDING |= {"slip_parameter": 1.5, "reduced_modulus_pa": 2.26e11, "eyring_stress_pa": 5e6}
@@ -22,7 +22,7 @@ LENGTHS = {"semi_axis_a_m": 0.2e-3, "radius_x_m": 15.5e-3}
 
 def public() -> Iterator[tuple[str, Callable[..., Any]]]:
     """Yield the functions and methods that users call, by their names."""
-    for module in (ehlwave, ehlwave.deform):
+    for module in (ehlwave, ehlwave.surface):
         for name in module.__all__:
             one = getattr(module, name)
             if inspect.isfunction(one):

@@ -10,8 +10,8 @@ from contact import EXPERIMENT, experiment
 from synthetic import written_names
 
 from ehlwave.cli import main
-from ehlwave.deform.atlas_transfer import with_atlas_film
-from ehlwave.formula import amplitude_ratio_formula, recommended_ratio
+from ehlwave.contact.formula import amplitude_ratio_formula, recommended_ratio
+from ehlwave.laws.atlas_transfer import with_atlas_film
 
 Capture = pytest.CaptureFixture[str]
 CONDITIONS = ["--conditions", *(f"{key}={value}" for key, value in EXPERIMENT.items())]

@@ -5,13 +5,13 @@ import numpy as np
 import pytest
 from contact import EXPERIMENT, experiment
 
-from ehlwave.atlas.atlas import load_atlas, shipped
-from ehlwave.atlas.kinds import KINDS
 from ehlwave.contact.conditions import FIT_ERROR, LINE_FIT_ERROR
 from ehlwave.contact.line_contact import line_film
 from ehlwave.contact.scales import ellipticity, moes_film
-from ehlwave.deform import conditions_from_keys, read_conditions
 from ehlwave.errors import SurfaceError
+from ehlwave.laws.atlas.atlas import load_atlas, shipped
+from ehlwave.laws.atlas.kinds import KINDS
+from ehlwave.surface import conditions_from_keys, read_conditions
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 1}
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from ehlwave.cli import main
-from ehlwave.deform import cut_period, read_surface, trace_surface
 from ehlwave.errors import SurfaceError
+from ehlwave.surface import cut_period, read_surface, trace_surface
 
 WAVE = 60e-6
 

@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 from contact import experiment
 
-from ehlwave.deform import (
+from ehlwave.contact.formula import amplitude_ratio_formula, f_of_r, recommended_ratio
+from ehlwave.errors import SurfaceError
+from ehlwave.surface import (
     FormulaTransfer,
     RecommendedTransfer,
     Surface,
@@ -12,9 +14,7 @@ from ehlwave.deform import (
     map_surface,
     trace_surface,
 )
-from ehlwave.deform.amplitude import lowest_film
-from ehlwave.errors import SurfaceError
-from ehlwave.formula import amplitude_ratio_formula, f_of_r, recommended_ratio
+from ehlwave.surface.amplitude import lowest_film
 
 CONTACT = experiment()
 ELLIPTIC = experiment(radius_y_m=0.12)

@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 from contact import experiment
 
-from ehlwave.deform import (
+from ehlwave.errors import SurfaceError
+from ehlwave.surface import (
     ReadOptions,
     Surface,
     deform_surface,
@@ -14,7 +15,6 @@ from ehlwave.deform import (
     to_dataset,
     trace_surface,
 )
-from ehlwave.errors import SurfaceError
 
 UM = ReadOptions(length_unit="um", height_unit="um", step=2.0)
 HEIGHTS = 0.01 * np.sin(np.arange(40.0)) + 0.001 * np.arange(40)

@@ -6,7 +6,8 @@ import pytest
 from contact import experiment
 
 from ehlwave.cli import main
-from ehlwave.deform import (
+from ehlwave.errors import SurfaceError
+from ehlwave.surface import (
     deform_surface,
     map_surface,
     read_surface,
@@ -14,7 +15,6 @@ from ehlwave.deform import (
     trace_surface,
     write_simulation_surface,
 )
-from ehlwave.errors import SurfaceError
 
 
 def test_ends_are_faded_and_the_middle_is_kept() -> None:

@@ -7,7 +7,10 @@ import numpy as np
 import pytest
 
 from ehlwave.cli import main
-from ehlwave.deform import (
+from ehlwave.contact.rolling import rolling_transfer
+from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.laws.atlas_transfer import AtlasTransfer
+from ehlwave.surface import (
     Conditions,
     Mover,
     Surface,
@@ -21,9 +24,6 @@ from ehlwave.deform import (
     second_conditions,
     trace_surface,
 )
-from ehlwave.deform.atlas_transfer import AtlasTransfer
-from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.rolling import rolling_transfer
 from studies.two_waves.shapes import CONTACT, STRESS_PA
 
 KEYS = CONTACT | {"eyring_stress_pa": STRESS_PA}

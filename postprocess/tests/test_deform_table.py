@@ -9,7 +9,11 @@ from contact import experiment
 from synthetic import make_columns, write_results
 
 from ehlwave.cli import main
-from ehlwave.deform import (
+from ehlwave.contact.formula import amplitude_ratio_formula, f_of_r
+from ehlwave.errors import SurfaceError
+from ehlwave.results.points import select_points
+from ehlwave.results.read import read_results
+from ehlwave.surface import (
     Conditions,
     FormulaTransfer,
     TableTransfer,
@@ -20,12 +24,8 @@ from ehlwave.deform import (
     read_table,
     trace_surface,
 )
-from ehlwave.deform.amplitude import lowest_film
-from ehlwave.deform.report import report_text
-from ehlwave.errors import SurfaceError
-from ehlwave.formula import amplitude_ratio_formula, f_of_r
-from ehlwave.points import select_points
-from ehlwave.read import read_results
+from ehlwave.surface.amplitude import lowest_film
+from ehlwave.surface.report import report_text
 
 CONTACT = experiment(radius_y_m=0.05)
 WAVES = np.geomspace(0.05, 3, 25)

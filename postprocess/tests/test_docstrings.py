@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import ehlwave
-from ehlwave.programs import find_program
+from ehlwave.programs.programs import find_program
 
 ONE_RANK = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self"}
 """Environment in which Open MPI starts a sweep without a launcher in a third of the time."""

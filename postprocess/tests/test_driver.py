@@ -10,10 +10,10 @@ import pytest
 import xarray as xr
 
 import ehlwave
-from ehlwave.case_figures import case_figure, undeformed_history, units_of
 from ehlwave.driver import key_table
-from ehlwave.programs import find_program, namelist
-from ehlwave.progress import counted, following, run_following
+from ehlwave.programs.programs import find_program, namelist
+from ehlwave.programs.progress import counted, following, run_following
+from ehlwave.results.case_figures import case_figure, undeformed_history, units_of
 
 MOES = {"load_parameter_m": 60, "lubricant_parameter_l": 6, "radius_ratio_d": 1}
 COARSE = {"cells_x": 32, "cells_y": 32}
@@ -272,11 +272,11 @@ def test_a_study_has_labels_counts_from_one_and_goes_through_run_sweep(
 @needs_programs
 def test_a_case_takes_a_surface_as_an_object(tmp_path: Path) -> None:
     x = np.arange(0, 2e-3, 4e-6)
-    waves = ehlwave.deform.trace_surface(2e-8 * np.cos(2 * np.pi * x / 2e-4), 4e-6)
-    trace = ehlwave.deform.simulation_surface(waves)
+    waves = ehlwave.surface.trace_surface(2e-8 * np.cos(2 * np.pi * x / 2e-4), 4e-6)
+    trace = ehlwave.surface.simulation_surface(waves)
     lengths = {"radius_x_m": 0.01, "radius_y_m": 0.01, "reduced_modulus_pa": 2e11, "load_n": 20}
     keys = lengths | {"mean_speed_m_per_s": 0.5, "viscosity_pa_s": 0.1}
-    ehlwave.deform.write_simulation_surface(trace, tmp_path / "t.h5")
+    ehlwave.surface.write_simulation_surface(trace, tmp_path / "t.h5")
     by_file = ehlwave.Case(**keys, **COARSE, file=str(tmp_path / "t.h5")).plan()
     by_object = ehlwave.Case(**keys, **COARSE, file=trace).plan()
     changed = {key for key in by_file if by_file[key] != by_object[key]}

@@ -8,7 +8,7 @@ import pandas as pd
 import pytest
 from synthetic import write_results
 
-from ehlwave.schema import REQUIRED_COLUMNS
+from ehlwave.results.schema import REQUIRED_COLUMNS
 from studies.error_time import errors, figures, model
 from studies.error_time.runs import FULL, QUICK, SMOOTH, WAVY, Contact, Run, all_runs
 from studies.error_time.table import KEYS, OUTCOMES, read_table, write_cases

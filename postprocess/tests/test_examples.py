@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import ehlwave
-from ehlwave.programs import find_program
+from ehlwave.programs.programs import find_program
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 NUMBER = r"(-?\d+\.?\d*(?:e[-+]\d+)?)"

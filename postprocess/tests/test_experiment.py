@@ -6,9 +6,9 @@ import pytest
 import xarray as xr
 from synthetic import write_results
 
-from ehlwave.deform import conditions_from_keys
 from ehlwave.errors import ResultsError
-from ehlwave.schema import REQUIRED_COLUMNS
+from ehlwave.results.schema import REQUIRED_COLUMNS
+from ehlwave.surface import conditions_from_keys
 from studies.experiment import FOLDER, section
 from studies.experiment.__main__ import main
 from studies.experiment.cases import (

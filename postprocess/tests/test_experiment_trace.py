@@ -3,7 +3,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ehlwave.deform import cut_period, read_surface
+from ehlwave.surface import cut_period, read_surface
 from studies.experiment.trace import (
     fit_sinusoid,
     fits_of_trace,

@@ -11,8 +11,8 @@ import pytest
 import xarray as xr
 from synthetic import make_columns, write_results
 
-from ehlwave.cf import with_cf
 from ehlwave.cli import main
+from ehlwave.results.cf import with_cf
 
 Capture = pytest.CaptureFixture[str]
 

@@ -70,7 +70,7 @@ def test_the_core_answers_without_extras() -> None:
     assert float(done.stdout) == pytest.approx(8.35e-7, rel=1e-2)
 
 
-@pytest.mark.parametrize("name", ["ehlwave.collapse_figure", "ehlwave.deform.deformed_figure"])
+@pytest.mark.parametrize("name", ["ehlwave.collapse_figure", "ehlwave.surface.deformed_figure"])
 def test_python_names_the_extra(name: str) -> None:
     done = without(name)
     assert done.stderr.endswith("matplotlib is missing: pip install './postprocess[figures]'\n")

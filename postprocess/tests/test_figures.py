@@ -13,8 +13,8 @@ from ehlwave import (
     select_points,
     write_figure,
 )
-from ehlwave.figures import outside_axes
-from ehlwave.points import Variable, of_orientation
+from ehlwave.results.figures import outside_axes
+from ehlwave.results.points import Variable, of_orientation
 
 ORIENTATIONS = ("transverse", "isotropic", "longitudinal")
 GREY = "0.6"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ehlwave.atlas.kinds import LINE_NEWTONIAN, LINE_SLIDING
+from ehlwave.laws.atlas.kinds import LINE_NEWTONIAN, LINE_SLIDING
 from studies.atlas import cams, gears
 from studies.atlas.bearings import CONTACTS
 from studies.atlas.catalogue import DRAWS

@@ -13,7 +13,7 @@ from ehlwave.contact import conditions_from_keys
 from ehlwave.contact.materials import MATERIALS
 from ehlwave.contact.oil_heat import usual_heat
 from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.heat_laws import (
+from ehlwave.laws.heat_laws import (
     COLD_BAR,
     FRICTION_BAR,
     FRICTION_COEFFICIENTS,
@@ -21,7 +21,7 @@ from ehlwave.heat_laws import (
     INLET_COEFFICIENTS,
     warmed,
 )
-from ehlwave.sheared_film import Sliding, shear_isothermal, shear_warm
+from ehlwave.laws.sheared_film import Sliding, shear_isothermal, shear_warm
 
 ROOT = Path(__file__).resolve().parents[2]
 REFERENCE = ROOT / "tests/verification/reference/heat_line.csv"
@@ -207,7 +207,7 @@ def test_films_and_friction_are_those_with_heat() -> None:
 
 def test_deformed_surfaces_lie_under_the_film_with_heat() -> None:
     x = np.arange(0, 2e-3, 2e-6)
-    trace = ehlwave.deform.trace_surface(5e-8 * np.cos(2 * np.pi * x / 1e-4), 2e-6, "x", "waves")
+    trace = ehlwave.surface.trace_surface(5e-8 * np.cos(2 * np.pi * x / 1e-4), 2e-6, "x", "waves")
     glass = ehlwave.Body(radius_x_m=0.02, material="glass")
     steel, oil = ehlwave.Body(radius_x_m=0.02, material="steel"), rollers_oil()
     given = {"oil": oil, "load_n_per_m": 2e5, "speeds_m_per_s": (11, 9)}

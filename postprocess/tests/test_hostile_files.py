@@ -14,10 +14,10 @@ from matplotlib.figure import Figure
 from synthetic import make_columns, write_results
 
 from ehlwave.cli import main
-from ehlwave.deform import ReadOptions, read_surface
 from ehlwave.errors import ResultsError, SurfaceError, printable
 from ehlwave.hdf5 import opened
-from ehlwave.read import read_results
+from ehlwave.results.read import read_results
+from ehlwave.surface import ReadOptions, read_surface
 
 Capture = pytest.CaptureFixture[str]
 CONDITIONS = ["--conditions", *(f"{key}={value}" for key, value in EXPERIMENT.items())]

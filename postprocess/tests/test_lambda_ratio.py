@@ -13,9 +13,10 @@ import pytest
 from contact import BALL, EXPERIMENT, experiment
 
 import ehlwave
-from ehlwave.atlas.atlas import load_atlas, shipped
-from ehlwave.atlas.kinds import KINDS
-from ehlwave.deform import (
+from ehlwave.laws.atlas.atlas import load_atlas, shipped
+from ehlwave.laws.atlas.kinds import KINDS
+from ehlwave.programs.programs import find_program
+from ehlwave.surface import (
     Deformed,
     Mover,
     TwoWaveTransfer,
@@ -27,11 +28,10 @@ from ehlwave.deform import (
     trace_surface,
     write_results,
 )
-from ehlwave.deform import amplitude as amplitudes
-from ehlwave.deform.amplitude import VALIDATED_ROLLING, VALIDATED_SLIDING, expected_nonlinearity
-from ehlwave.deform.sliding import second_conditions
-from ehlwave.deform.surface import Surface
-from ehlwave.programs import find_program
+from ehlwave.surface import amplitude as amplitudes
+from ehlwave.surface.amplitude import VALIDATED_ROLLING, VALIDATED_SLIDING, expected_nonlinearity
+from ehlwave.surface.film_profile import second_conditions
+from ehlwave.surface.surface import Surface
 from studies.lambda_ratio import judge
 from studies.lambda_ratio.simulate import SMALL
 

@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 from ehlwave import Contact
-from ehlwave.deform.amplitude import LOWEST_WIDTH, lowest_film
+from ehlwave.surface.amplitude import LOWEST_WIDTH, lowest_film
 from studies import sweeps
 from studies.lambda_ratio import compare, judge, report, simulate
 from studies.lambda_ratio.maps import STRETCH, rough_map

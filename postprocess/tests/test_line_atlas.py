@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import ehlwave
-from ehlwave.atlas.atlas import load_atlas, shipped
-from ehlwave.atlas.kinds import LINE
 from ehlwave.cli import main
-from ehlwave.deform import map_surface, trace_surface
+from ehlwave.laws.atlas.atlas import load_atlas, shipped
+from ehlwave.laws.atlas.kinds import LINE
+from ehlwave.surface import map_surface, trace_surface
 from studies.atlas.design import contact_at, uncertain_contacts
 from studies.atlas.line_design import CONTACTS, case, domain, write_batch
 

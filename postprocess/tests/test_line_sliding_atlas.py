@@ -7,11 +7,11 @@ import pandas as pd
 import pytest
 
 import ehlwave
-from ehlwave.atlas.atlas import load_atlas, shipped
-from ehlwave.atlas.kind import Kind
-from ehlwave.atlas.kinds import LINE, LINE_NEWTONIAN, LINE_SLIDING
-from ehlwave.atlas.sliding import MODULUS_PA
-from ehlwave.deform import trace_surface
+from ehlwave.laws.atlas.atlas import load_atlas, shipped
+from ehlwave.laws.atlas.kind import Kind
+from ehlwave.laws.atlas.kinds import LINE, LINE_NEWTONIAN, LINE_SLIDING
+from ehlwave.laws.atlas.sliding import MODULUS_PA
+from ehlwave.surface import trace_surface
 from studies.atlas.centre import centre_pressures
 from studies.atlas.line_sliding_design import (
     EVENLY_SPREAD,

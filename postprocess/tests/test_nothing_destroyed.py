@@ -12,10 +12,10 @@ from synthetic import make_columns, write_results
 
 from ehlwave import case_figures, cli, figures, results_cli
 from ehlwave.cli import main
-from ehlwave.deform import cli as deform_cli
-from ehlwave.deform import figures as deform_figures
-from ehlwave.inputs import inputs
-from ehlwave.refit import RefitRow
+from ehlwave.cli.named_files import inputs
+from ehlwave.results.refit import RefitRow
+from ehlwave.surface import cli as deform_cli
+from ehlwave.surface import figures as deform_figures
 from ehlwave.writing import LIST_NAME, OutputError, Writer
 
 Capture = pytest.CaptureFixture[str]

@@ -10,7 +10,7 @@ import pytest
 ROOT = Path(__file__).parents[1]
 WRITER = ROOT / "src/ehlwave/writing.py"
 READER = ROOT / "src/ehlwave/hdf5.py"
-OWN_DATA = {ROOT / "src/ehlwave/atlas/stored.py", ROOT / "studies/atlas/store.py"}
+OWN_DATA = {ROOT / "src/ehlwave/laws/atlas/stored.py", ROOT / "studies/atlas/store.py"}
 """Modules that read classic NetCDF, which has no links."""
 
 WRITING = {

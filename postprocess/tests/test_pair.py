@@ -11,9 +11,9 @@ from contact import BALL
 
 import ehlwave
 from ehlwave.cli import main
-from ehlwave.deform.amplitude import VALIDATED_SLIDING
-from ehlwave.deform.surface import Heights
 from ehlwave.errors import ExtrapolationWarning, SurfaceError
+from ehlwave.surface.amplitude import VALIDATED_SLIDING
+from ehlwave.surface.surface import Heights
 
 STEP = 2e-6
 

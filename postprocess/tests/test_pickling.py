@@ -13,7 +13,8 @@ from contact import BALL
 
 import ehlwave
 from ehlwave.contact import Oil
-from ehlwave.deform import (
+from ehlwave.driver import Case, Study
+from ehlwave.surface import (
     FormulaTransfer,
     Mover,
     ReadOptions,
@@ -25,8 +26,7 @@ from ehlwave.deform import (
     second_conditions,
     trace_surface,
 )
-from ehlwave.deform.surface import Surface
-from ehlwave.driver import Case, Study
+from ehlwave.surface.surface import Surface
 
 LEAST = 25
 
@@ -49,18 +49,18 @@ def trace() -> Surface:
 
 
 @cache
-def deformed() -> ehlwave.deform.Deformed:
+def deformed() -> ehlwave.surface.Deformed:
     return contact().deform(trace())
 
 
-def both() -> ehlwave.deform.FilmOfTwo:
+def both() -> ehlwave.surface.FilmOfTwo:
     first = contact(slip_parameter=1.2).conditions
     other = second_conditions(first)
     parts = (deform_surface(trace(), c, TwoWaveTransfer(c)) for c in (first, other))
     return film_of_two(*parts)
 
 
-def sliding_map() -> ehlwave.deform.Deformed:
+def sliding_map() -> ehlwave.surface.Deformed:
     x, y = np.meshgrid(np.arange(64), np.arange(48), indexing="ij")
     height = 1e-8 * np.cos(0.4 * x) * np.cos(0.3 * y)
     sliding = contact(slip_parameter=1.2, eyring_stress_pa=5e6)

@@ -6,7 +6,7 @@ import xarray as xr
 from synthetic import Columns, concatenated, make_columns, write_results
 
 from ehlwave import ResultsError, read_results, select_points
-from ehlwave.points import condition_index, remarks
+from ehlwave.results.points import condition_index, remarks
 
 
 def _read(tmp_path: Path, columns: Columns) -> xr.Dataset:

@@ -70,11 +70,11 @@ def test_bodies_oils_and_surfaces_take_units() -> None:
     assert both.conditions.slip_parameter == pytest.approx(plain_speeds.conditions.slip_parameter)
     x = np.arange(0, 2e-3, 2e-6)
     height = 20e-9 * np.cos(2 * np.pi * x / 1e-4)
-    trace = ehlwave.deform.trace_surface(Q(height * 1e9, "nm"), step_m=Q(2, "um"))
+    trace = ehlwave.surface.trace_surface(Q(height * 1e9, "nm"), step_m=Q(2, "um"))
     assert trace.step_x_m == pytest.approx(2e-6)
     np.testing.assert_allclose(trace.height[:, 0], height)
     rolling = ehlwave.Contact(**PLAIN)
-    with_step = ehlwave.deform.ReadOptions(step=Q(2, "um"), length_unit="mm")
+    with_step = ehlwave.surface.ReadOptions(step=Q(2, "um"), length_unit="mm")
     assert ehlwave.read_surface(height, with_step).step_x_m == pytest.approx(2e-6)
     cut, same = (
         rolling.deform(trace, cutoffs_m=(cutoff, None)).statistics.rq_after_m

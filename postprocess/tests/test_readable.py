@@ -9,10 +9,10 @@ from synthetic import concatenated, make_columns, write_results
 from test_export import write_case
 
 import ehlwave
-from ehlwave.case_figures import RISES, case_figure
 from ehlwave.cli import main
-from ehlwave.deform.figures import deformed_figure
-from ehlwave.scales_of_figures import DRAWN, SLENDER, aspect_note, readable_aspect
+from ehlwave.results.case_figures import RISES, case_figure
+from ehlwave.results.scales_of_figures import DRAWN, SLENDER, aspect_note, readable_aspect
+from ehlwave.surface.figures import deformed_figure
 
 Capture = pytest.CaptureFixture[str]
 
@@ -62,7 +62,7 @@ def test_a_map_of_the_difference_is_drawn() -> None:
         semi_axis_a_m=1e-4,
         radius_x_m=0.01,
     )
-    found = contact.deform(ehlwave.deform.map_surface(height, 4e-6, 4e-6))
+    found = contact.deform(ehlwave.surface.map_surface(height, 4e-6, 4e-6))
     panels = {axes.get_title(): axes for axes in deformed_figure(found).axes}
     made, left = (panels[name].images[0].get_array() for name in ("as made", "in the contact"))
     difference = panels["difference"].images[0]

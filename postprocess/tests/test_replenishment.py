@@ -14,10 +14,11 @@ from scipy.special import iv, modstruve
 import ehlwave
 from ehlwave.cli import main
 from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.formula import power_ratio
 from ehlwave.contact.oils import Oil
+from ehlwave.contact.starvation import FILM_BAR, film_over_flooded, film_sharpness
 from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.formula import power_ratio
-from ehlwave.replenishment import (
+from ehlwave.laws.replenishment import (
     SHARPNESS_ERROR,
     TIME_FACTOR,
     Track,
@@ -29,7 +30,6 @@ from ehlwave.replenishment import (
     replenish,
     side_flow,
 )
-from ehlwave.starvation import FILM_BAR, film_over_flooded, film_sharpness
 
 
 def starved(**more: float) -> Conditions:
@@ -69,7 +69,7 @@ def test_error_of_g_is_that_of_the_law() -> None:
 
 
 def test_fluidity_integral_of_barus_oils(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ehlwave.replenishment.DENSITY_LIMIT", 1.0)  # incompressible
+    monkeypatch.setattr("ehlwave.laws.replenishment.DENSITY_LIMIT", 1.0)  # incompressible
     for alphabar in (0.01, 1.0, 10.0, 30.0, 300.0):
         hertz = 1e9
         # Roelands' law is that of Barus for z = 1.

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from ehlwave.deform import gaussian_filtered, map_surface, roughness_parameters, trace_surface
 from ehlwave.errors import SurfaceError
+from ehlwave.surface import gaussian_filtered, map_surface, roughness_parameters, trace_surface
 
 STEP = 1e-6
 HEIGHT = 1e-8

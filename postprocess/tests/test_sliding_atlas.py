@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 import ehlwave
-from ehlwave.atlas.kinds import SLIDING
-from ehlwave.atlas.sliding_shape import SlidingShape
 from ehlwave.contact.conditions import THINNING_ERROR
-from ehlwave.deform import TwoWaveTransfer, trace_surface
-from ehlwave.deform.atlas_transfer import AtlasTransfer
+from ehlwave.laws.atlas.kinds import SLIDING
+from ehlwave.laws.atlas.sliding_shape import SlidingShape
+from ehlwave.laws.atlas_transfer import AtlasTransfer
+from ehlwave.surface import TwoWaveTransfer, trace_surface
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 OIL = {"reduced_modulus_pa": 226e9, "eyring_stress_pa": 5e6}

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import ehlwave
-from ehlwave.atlas.atlas import load_atlas, shipped
-from ehlwave.atlas.kinds import SLIDING, SLIDING_WIDE
-from ehlwave.atlas.sliding import MODULUS_PA
-from ehlwave.atlas.sliding_wide import film_under_slip
-from ehlwave.deform import trace_surface
+from ehlwave.laws.atlas.atlas import load_atlas, shipped
+from ehlwave.laws.atlas.kinds import SLIDING, SLIDING_WIDE
+from ehlwave.laws.atlas.sliding import MODULUS_PA
+from ehlwave.laws.atlas.sliding_wide import film_under_slip
+from ehlwave.surface import trace_surface
 from studies.atlas.anchors import WAVES, anchors, with_anchors
 from studies.atlas.design import CONTACTS
 from studies.atlas.sliding_wide_design import (

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from synthetic import write_results
 
-from ehlwave.schema import REQUIRED_COLUMNS
+from ehlwave.results.schema import REQUIRED_COLUMNS
 from studies.stability.__main__ import main
 from studies.stability.cases import (
     OUTSIDE,

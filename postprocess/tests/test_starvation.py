@@ -8,10 +8,8 @@ import pytest
 from contact import LOADED_BALL
 
 import ehlwave
-from ehlwave.errors import RangeError
-from ehlwave.formula import power_ratio
-from ehlwave.replenishment import Track, after_overrollings, density
-from ehlwave.starvation import (
+from ehlwave.contact.formula import power_ratio
+from ehlwave.contact.starvation import (
     FILM_COEFFICIENTS,
     FILM_ERROR,
     FILM_RANGES,
@@ -21,6 +19,8 @@ from ehlwave.starvation import (
     film_over_flooded,
     starved_ratio,
 )
+from ehlwave.errors import RangeError
+from ehlwave.laws.replenishment import Track, after_overrollings, density
 from studies.overrollings import ROWS, TrackOfContacts, compare, inlet_loss, predicted, side_loss
 from studies.starvation import OIL_OF_WAVES, WAVES, contacts, film_law, fit, main, usable
 

@@ -14,10 +14,7 @@ import ehlwave
 from ehlwave.cli import main
 from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.contact.file_keys import OTHER_INLET_KEYS
-from ehlwave.deform.starved_transfer import StarvedTransfer
-from ehlwave.deform.table_matching import matching_rows
-from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.starvation import (
+from ehlwave.contact.starvation import (
     FILM_BAR,
     WAVE_BAR,
     film_over_flooded,
@@ -25,16 +22,19 @@ from ehlwave.starvation import (
     ratio_error,
     starved_ratio,
 )
+from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.laws.starved_transfer import StarvedTransfer
+from ehlwave.laws.table_matching import matching_rows
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 COMPUTED = {2: 0.944, 1: 0.797, 0.7: 0.642, 0.5: 0.484}
 """R of MOES at 64 cells per a, tests/verification/test_starvation.py."""
 
 
-def wave(amplitude_m: float = 50e-9, length_m: float = 2e-4) -> ehlwave.deform.Surface:
+def wave(amplitude_m: float = 50e-9, length_m: float = 2e-4) -> ehlwave.surface.Surface:
     x = np.arange(1000) * 2e-6
     height = amplitude_m * np.cos(2 * np.pi * x / length_m)
-    return ehlwave.deform.trace_surface(height, step_m=2e-6, axis="x", name="waves")
+    return ehlwave.surface.trace_surface(height, step_m=2e-6, axis="x", name="waves")
 
 
 def test_film_is_that_of_the_atlas_times_the_law() -> None:

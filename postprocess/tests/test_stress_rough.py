@@ -6,9 +6,6 @@ import numpy as np
 import pytest
 
 from ehlwave import Body, Contact
-from ehlwave.deform import Surface, deform_surface, trace_surface
-from ehlwave.deform.ripple import stiffness_pa
-from ehlwave.deform.rough_pressure import ripple_of
 from ehlwave.errors import StressError
 from ehlwave.stress import contact_fields, rough_stress, stress_below
 from ehlwave.stress.figures import predicted_section
@@ -16,6 +13,9 @@ from ehlwave.stress.midplane import hertz_midplane_stress
 from ehlwave.stress.passage import ripple_stresses
 from ehlwave.stress.report import stress_dataset, stress_json, stress_text
 from ehlwave.stress.waves import COMPONENTS
+from ehlwave.surface import Surface, deform_surface, trace_surface
+from ehlwave.surface.ripple import stiffness_pa
+from ehlwave.surface.rough_pressure import ripple_of
 
 KEYS = {
     "radius_x_m": 12.5e-3,

@@ -9,11 +9,11 @@ import pytest
 from matplotlib.figure import Figure
 from synthetic import Columns, make_columns, taken, write_results
 
+from ehlwave.contact.formula import amplitude_ratio_formula
 from ehlwave.errors import ResultsError
-from ehlwave.formula import amplitude_ratio_formula
-from ehlwave.points import select_points
-from ehlwave.read import read_results
-from ehlwave.refit import RefitSettings
+from ehlwave.results.points import select_points
+from ehlwave.results.read import read_results
+from ehlwave.results.refit import RefitSettings
 from studies import html
 from studies.paper import line_contact, paper_points, refitted
 from studies.paper.report import write_report

@@ -7,7 +7,7 @@ import pytest
 from contact import BALL
 
 import ehlwave
-from ehlwave.deform import ReadOptions, read_surface
+from ehlwave.surface import ReadOptions, read_surface
 
 STEP = 2e-6
 

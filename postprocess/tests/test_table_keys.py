@@ -7,10 +7,10 @@ import pytest
 from synthetic import Columns, make_columns, write_results
 
 from ehlwave.cli import main
-from ehlwave.deform import TableTransfer, conditions_from_keys, read_table, table_keys
 from ehlwave.driver import Case, key_groups
-from ehlwave.effective_input import keys_of_input
 from ehlwave.errors import ProgramError, SurfaceError
+from ehlwave.inputs.effective_input import keys_of_input
+from ehlwave.surface import TableTransfer, conditions_from_keys, read_table, table_keys
 
 Capture = pytest.CaptureFixture[str]
 

@@ -7,11 +7,11 @@ import pandas as pd
 import pytest
 
 import ehlwave
-from ehlwave.atlas.atlas import thinned_kind
-from ehlwave.atlas.kinds import SLIDING
 from ehlwave.contact import conditions_from_keys
 from ehlwave.contact.oils import Oil
 from ehlwave.contact.thinning import MOST_LOSS, as_ree_eyring
+from ehlwave.laws.atlas.atlas import thinned_kind
+from ehlwave.laws.atlas.kinds import SLIDING
 from studies.thinning import LEAST_BOUND, bound_of, draw, largest_share, study
 
 HEAVY = {"load_parameter_m": 500, "lubricant_parameter_l": 18, "radius_ratio_d": 1}

@@ -9,9 +9,9 @@ import pytest
 
 import ehlwave
 from ehlwave.cli import main
+from ehlwave.cli.traction import summary, text_of
 from ehlwave.errors import ArgumentError
 from ehlwave.traction import Traction, read_keys, regimes, traction, traction_figure
-from ehlwave.traction_cli import summary, text_of
 
 ROLLERS = Path(__file__).resolve().parents[2] / "inputs/rollers.nml"
 MEASURED = ROLLERS.with_name("measured_oil.nml")

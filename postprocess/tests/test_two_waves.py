@@ -7,10 +7,10 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.medium import Medium, hertz_medium
 from ehlwave.contact.oils import Oil
+from ehlwave.contact.rolling import rolling_transfer
 from ehlwave.contact.scales import corrected_film
 from ehlwave.contact.two_waves import two_waves
 from ehlwave.errors import SurfaceError
-from ehlwave.rolling import rolling_transfer
 
 KEYS = {
     "load_parameter_m": 100,

@@ -6,8 +6,8 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from ehlwave.deform import Mover, TwoWaveTransfer, conditions_from_keys
-from ehlwave.rolling import rolling_transfer
+from ehlwave.contact.rolling import rolling_transfer
+from ehlwave.surface import Mover, TwoWaveTransfer, conditions_from_keys
 from studies.two_waves.cases import cases
 from studies.two_waves.computed_waves import ComputedWaves
 from studies.two_waves.fit import PACKAGED, amplitude_error, fitted_launch, fitted_rolling

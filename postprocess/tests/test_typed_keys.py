@@ -10,8 +10,8 @@ import pytest
 import ehlwave
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.driver import key_table
-from ehlwave.keys import CaseKeys, ContactKeys, StudyKeys
-from ehlwave.programs import find_program
+from ehlwave.inputs.keys import CaseKeys, ContactKeys, StudyKeys
+from ehlwave.programs.programs import find_program
 from studies import typed_keys
 
 SOURCE = Path(ehlwave.__file__).parents[1]

@@ -10,7 +10,7 @@ import pytest
 from test_examples import EXAMPLES, needs_programs
 
 import ehlwave
-from ehlwave.programs import find_program
+from ehlwave.programs.programs import find_program
 
 
 def run(folder: Path, *command: str) -> str:

@@ -17,10 +17,10 @@ from ehlwave.choices import AXES, DECIMALS, FORMS, LAWS, RATIO_COLUMNS, WINDOWS
 from ehlwave.cli import main
 from ehlwave.contact.alpha_estimates import ESTIMATES, GOLD
 from ehlwave.contact.measured_oils import MEASURED
-from ehlwave.deform.units import CHOICES as CHOICES_OF_UNITS
 from ehlwave.hints import MANUAL, PAGES
-from ehlwave.programs import find_program
-from ehlwave.schema import EDGES
+from ehlwave.programs.programs import find_program
+from ehlwave.results.schema import EDGES
+from ehlwave.surface.units import CHOICES as CHOICES_OF_UNITS
 
 REMOVED = object()
 Keys = dict[str, Any]
@@ -90,13 +90,13 @@ def measured(**keys: object) -> object:
 
 def law(**keys: object) -> object:
     x = np.arange(0, 2e-3, 2e-6)
-    trace = ehlwave.deform.trace_surface(20e-9 * np.cos(2 * np.pi * x / 1e-4), step_m=2e-6)
+    trace = ehlwave.surface.trace_surface(20e-9 * np.cos(2 * np.pi * x / 1e-4), step_m=2e-6)
     return ehlwave.Contact(**DATA | {"load_n": 0.5}).deform(trace, **keys)
 
 
 def stressed(**keys: object) -> object:
     x = np.arange(0, 4e-4, 4e-6)
-    trace = ehlwave.deform.trace_surface(20e-9 * np.cos(2 * np.pi * x / 1e-4), step_m=4e-6)
+    trace = ehlwave.surface.trace_surface(20e-9 * np.cos(2 * np.pi * x / 1e-4), step_m=4e-6)
     slip = {"slip_parameter": keys.pop("slip_parameter", 1.1), "eyring_stress_pa": 5e6}
     contact = ehlwave.Contact(**DATA, **slip)
     return contact.stress(trace, **{"depths_m": [0, 2e-5, 4e-5]} | keys)
@@ -109,7 +109,7 @@ def rough(**keys: object) -> object:
 
 
 def trace_of(**keys: object) -> object:
-    return ehlwave.deform.trace_surface(**{"height": np.zeros(9), "step_m": 1e-6} | keys)
+    return ehlwave.surface.trace_surface(**{"height": np.zeros(9), "step_m": 1e-6} | keys)
 
 
 def case(**keys: object) -> object:
@@ -443,7 +443,7 @@ def test_another_word_is_refused_with_those_that_there_are(
 
 @pytest.mark.parametrize("option", [{"rolling_axis": "y"}, {"step": 2e-6}, {"height_unit": "um"}])
 def test_a_surface_takes_no_options_of_files(option: Keys) -> None:
-    surface = ehlwave.deform.trace_surface(np.zeros(200), step_m=4e-6)
+    surface = ehlwave.surface.trace_surface(np.zeros(200), step_m=4e-6)
     with pytest.raises(ehlwave.SurfaceError, match=f"{next(iter(option))}= is for files"):
         ehlwave.Contact(**DATA).deform(surface, **option)
 
@@ -495,7 +495,7 @@ def test_what_is_no_value_at_all_is_an_error_of_ours(
 )
 def test_a_surface_made_by_hand_is_checked(height: Any, step: Any) -> None:  # noqa: ANN401
     with pytest.raises(ehlwave.SurfaceError, match=r"heights must be|step along x is 1e-6"):
-        ehlwave.Contact(**DATA).deform(ehlwave.deform.Surface(height, step, 0.0))
+        ehlwave.Contact(**DATA).deform(ehlwave.surface.Surface(height, step, 0.0))
 
 
 def test_there_are_many() -> None:

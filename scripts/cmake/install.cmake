@@ -51,7 +51,7 @@ if(NOT CMAKE_CROSSCOMPILING)
   find_package(Python3 3.10 QUIET COMPONENTS Interpreter)
   if(Python3_Interpreter_FOUND AND NOT DEFINED SKBUILD)
     set(maker ${CMAKE_SOURCE_DIR}/postprocess/manual/command_pages.py)
-    file(GLOB_RECURSE parsers CONFIGURE_DEPENDS postprocess/src/ehlwave/cli.py postprocess/src/ehlwave/commands/*.py)
+    file(GLOB_RECURSE parsers CONFIGURE_DEPENDS postprocess/src/ehlwave/cli/__init__.py postprocess/src/ehlwave/cli/*.py)
     add_custom_command(OUTPUT ${made}/ehlwave.1 ${made}/ehlwave
       COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${Python3_EXECUTABLE} ${maker} ${made} ${PROJECT_VERSION}
       DEPENDS ${maker} ${parsers} VERBATIM)

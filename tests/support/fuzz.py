@@ -237,7 +237,7 @@ class Traces(Target):
     def visit(self):
         import warnings
 
-        from ehlwave.deform.read import ReadOptions, read_surface
+        from ehlwave.surface.read import ReadOptions, read_surface
         from ehlwave.errors import SurfaceError
         begin = time.process_time()
         options = ReadOptions(length_unit="um", height_unit="nm", step=1.0, fill_missing=True)

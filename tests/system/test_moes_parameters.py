@@ -9,7 +9,7 @@ from pathlib import Path
 from ehlwave_program import SKIPPED, last_line, namelist, run
 
 try:
-    from ehlwave.deform import conditions_from_keys, read_conditions
+    from ehlwave.surface import conditions_from_keys, read_conditions
 except ImportError as error:
     print(f"SKIPPED: ehlwave cannot be imported ({error})")
     sys.exit(SKIPPED)

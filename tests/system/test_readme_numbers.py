@@ -229,7 +229,7 @@ def atlas():
     claims, rises = [], {}
     kinds = ("rolling", "rolling_wide", "sliding", "sliding_wide", "line", "line_sliding", "line_newtonian")
     for kind in kinds:
-        path = ROOT/f"postprocess/src/ehlwave/atlas/{kind}.nc"
+        path = ROOT/f"postprocess/src/ehlwave/laws/atlas/{kind}.nc"
         with xarray.open_dataset(path) as data:
             of_file = [float(data.attrs["responses"]), float(data.attrs["contacts"])]
             rises[kind] = json.loads(data.attrs["rise_cross_validated"])
@@ -265,7 +265,7 @@ def judged():
 
 def validated():
     """Amplitudes up to which predictions were compared with marches."""
-    text = (ROOT/"postprocess/src/ehlwave/deform/amplitude.py").read_text()
+    text = (ROOT/"postprocess/src/ehlwave/surface/amplitude.py").read_text()
     found = [re.search(rf"{name} = ([\d.]+), ([\d.]+)", text).groups()
              for name in ("VALIDATED_ROLLING, VALIDATED_SLIDING", "SLIGHT_SLIP, VALIDATED_FASTER")]
     return ("up to amplitudes (sqrt(2) Rq) of {} films in pure rolling, {} films where S is within 1 +- {}, and {} films at any other S",

@@ -53,7 +53,7 @@ RULES = {
 
 def also_compared():
     """Sentences by page, with their values, that `test_readme_numbers` has not."""
-    formula = (ROOT/"postprocess/src/ehlwave/formula.py").read_text(encoding="utf-8")
+    formula = (ROOT/"postprocess/src/ehlwave/contact/formula.py").read_text(encoding="utf-8")
     constants = [float(re.search(rf"^PAPER_{name} = ([\d.]+)$", formula, re.MULTILINE)[1]) for name in ("C1", "C2")]
     default = re.search(r"^\| `amplitude_over_film` \| `([\d.]+)`", (ROOT/"inputs/README.md").read_text(encoding="utf-8"), re.MULTILINE)[1]
     return {

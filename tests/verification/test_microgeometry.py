@@ -12,7 +12,7 @@ from ehlwave_program import SKIPPED, run
 
 try:
     import numpy as np
-    from ehlwave.deform import read_table, trace_surface
+    from ehlwave.surface import read_table, trace_surface
     from studies.microgeometry.compare import compare_speeds
     from studies.microgeometry.traces import compare_traces, write_traces
     from studies.microgeometry.simulate import conditions_at, table_file, write_surface, write_tables, write_waves

@@ -8,8 +8,8 @@ from ehlwave_program import IS_LONG, SKIPPED, FolderTest, namelist, run
 try:
     import numpy as np
     from ehlwave import Contact
-    from ehlwave.deform import trace_surface
-    from ehlwave.deform.simulation import write_simulation_surface
+    from ehlwave.surface import trace_surface
+    from ehlwave.surface.simulation import write_simulation_surface
     from ehlwave.stress import (
         COMPONENTS,
         dang_van_factor,

@@ -2,25 +2,22 @@
 
 Answers in one call: :class:`Contact`. The programs from Python: :class:`Case`, :class:`Study`.
 Their results: :func:`read_results`, :func:`read_case`, and what draws, fits and tabulates them.
-Measured surfaces: :mod:`ehlwave.deform`. Stresses below them: :mod:`ehlwave.stress`. Modules are
+Measured surfaces: :mod:`ehlwave.surface`. Stresses below them: :mod:`ehlwave.stress`. Modules are
 imported on first use.
 """
 
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ehlwave import atlas as atlas
     from ehlwave import contact as contact
-    from ehlwave import deform as deform
+    from ehlwave import laws as laws
+    from ehlwave import results as results
     from ehlwave import stress as stress
-    from ehlwave.answers import Film, Response
-    from ehlwave.atlas import Atlas, load_atlas
-    from ehlwave.bootstrap import bootstrap_coefficients, percentile_intervals
-    from ehlwave.case_file import read_contact as read_case
+    from ehlwave import surface as surface
     from ehlwave.contact.bodies import Body
     from ehlwave.contact.data_sheet import Oil
+    from ehlwave.contact.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
     from ehlwave.contact.heat_data import BodyHeat, Heat
-    from ehlwave.deform import deform_surface, read_surface
     from ehlwave.driver import Case, Study
     from ehlwave.errors import (
         ArgumentError,
@@ -32,24 +29,28 @@ if TYPE_CHECKING:
         StressError,
         SurfaceError,
     )
-    from ehlwave.figures import collapse_figure, write_figure
-    from ehlwave.fit import FitError, FormulaFit, fit_formula, point_weights, rms_residual
-    from ehlwave.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
+    from ehlwave.laws.answers import Film, Response
+    from ehlwave.laws.atlas import Atlas, load_atlas
     from ehlwave.operating_point import Contact
-    from ehlwave.points import select_points
-    from ehlwave.read import read_results
-    from ehlwave.refit import RefitRow, RefitSettings, refit_groups
+    from ehlwave.results.bootstrap import bootstrap_coefficients, percentile_intervals
+    from ehlwave.results.case_file import read_contact as read_case
+    from ehlwave.results.figures import collapse_figure, write_figure
+    from ehlwave.results.fit import FitError, FormulaFit, fit_formula, point_weights, rms_residual
+    from ehlwave.results.points import select_points
+    from ehlwave.results.read import read_results
+    from ehlwave.results.refit import RefitRow, RefitSettings, refit_groups
+    from ehlwave.surface import deform_surface, read_surface
 
     __version__: str
 
 _HOMES = {
-    "answers": ("Film", "Response"),
-    "atlas": ("Atlas", "load_atlas"),
-    "bootstrap": ("bootstrap_coefficients", "percentile_intervals"),
+    "laws.answers": ("Film", "Response"),
+    "laws.atlas": ("Atlas", "load_atlas"),
+    "results.bootstrap": ("bootstrap_coefficients", "percentile_intervals"),
     "contact.bodies": ("Body",),
     "contact.data_sheet": ("Oil",),
     "contact.heat_data": ("BodyHeat", "Heat"),
-    "deform": ("deform_surface", "read_surface"),
+    "surface": ("deform_surface", "read_surface"),
     "driver": ("Case", "Study"),
     "errors": (
         "ArgumentError",
@@ -61,21 +62,21 @@ _HOMES = {
         "StressError",
         "SurfaceError",
     ),
-    "figures": ("collapse_figure", "write_figure"),
-    "fit": (
+    "results.figures": ("collapse_figure", "write_figure"),
+    "results.fit": (
         "FitError",
         "FormulaFit",
         "fit_formula",
         "point_weights",
         "rms_residual",
     ),
-    "formula": ("amplitude_ratio_formula", "f_of_r", "v", "v2", "wavelength_ratio"),
+    "contact.formula": ("amplitude_ratio_formula", "f_of_r", "v", "v2", "wavelength_ratio"),
     "operating_point": ("Contact",),
-    "points": ("select_points",),
-    "read": ("read_results",),
-    "refit": ("RefitRow", "RefitSettings", "refit_groups"),
+    "results.points": ("select_points",),
+    "results.read": ("read_results",),
+    "results.refit": ("RefitRow", "RefitSettings", "refit_groups"),
 }
-_PACKAGES = ("atlas", "contact", "deform", "stress")
+_PACKAGES = ("contact", "laws", "results", "stress", "surface")
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
@@ -128,7 +129,7 @@ def __getattr__(name: str) -> Any:  # noqa: ANN401
     from ehlwave.extras import load
 
     if name == "read_case":
-        return load("ehlwave.case_file").read_contact
+        return load("ehlwave.results.case_file").read_contact
     if name == "__version__":
         return load("ehlwave.version").version()
     if name in _PACKAGES:

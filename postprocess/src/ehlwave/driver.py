@@ -18,18 +18,18 @@ import xarray as xr
 from ehlwave.errors import ProgramError
 from ehlwave.hdf5 import read_dataset
 from ehlwave.hints import did_you_mean, see
-from ehlwave.labels import with_labels_of
-from ehlwave.programs import find_program, find_run_sweep, namelist
-from ehlwave.progress import Following, following, run_following
+from ehlwave.programs.programs import find_program, find_run_sweep, namelist
+from ehlwave.programs.progress import Following, following, run_following
 from ehlwave.quantities import in_si
-from ehlwave.read import read_results
+from ehlwave.results.labels import with_labels_of
+from ehlwave.results.read import read_results
 from ehlwave.shown import Shown, html_table
 from ehlwave.writing import write_new_text
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ehlwave.keys import CaseKeys, StudyKeys
+    from ehlwave.inputs.keys import CaseKeys, StudyKeys
 
 SURFACES = {"surface": "file", "surface2": "file_2"}
 """Keys of measured surfaces by their groups."""
@@ -52,8 +52,8 @@ class Case:
     **keys
         Keys of its input file (``inputs/README.md``, ``ehlwave-case --keys``), whatever their
         group: numbers, text, bool. Plain numbers are SI; quantities of pint are converted.
-        ``file``, a measured surface, may be a :class:`ehlwave.deform.Surface` or an object of
-        SurfaceTopography; it is taken as it is, see :func:`ehlwave.deform.simulation_surface`.
+        ``file``, a measured surface, may be a :class:`ehlwave.surface.Surface` or an object of
+        SurfaceTopography; it is taken as it is, see :func:`ehlwave.surface.simulation_surface`.
 
     Raises
     ------
@@ -206,7 +206,7 @@ class Study(Shown):
             if not isinstance(source := given.get(key, ""), (str, Path)):
                 raise ProgramError(
                     f"{key} = {source!r}: a study is known by the names of its files: write the "
-                    "surface by ehlwave.deform.write_simulation_surface"
+                    "surface by ehlwave.surface.write_simulation_surface"
                 )
         self.lists = lists
         self.groups = grouped({key: value for key, value in given.items() if key not in OPTIONS})
@@ -379,7 +379,7 @@ def _with_surface_files(groups: dict[str, dict[str, Any]], folder: Path) -> dict
         source = groups.get(group, {}).get(key)
         if source is None or isinstance(source, (str, Path)):
             continue
-        from ehlwave.deform import read_surface, write_simulation_surface
+        from ehlwave.surface import read_surface, write_simulation_surface
 
         path = folder / f"{group}.h5"
         write_simulation_surface(read_surface(source), path)

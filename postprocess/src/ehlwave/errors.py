@@ -156,7 +156,7 @@ class ExtrapolationWarning(UserWarning):
     ...     load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
     >>> x = np.arange(0, 2e-3, 2e-6)
     >>> height = 1500e-9 * np.cos(2 * np.pi * x / 1e-4)
-    >>> trace = ehlwave.deform.trace_surface(height, step_m=2e-6, axis="x", name="waves")
+    >>> trace = ehlwave.surface.trace_surface(height, step_m=2e-6, axis="x", name="waves")
     >>> with warnings.catch_warnings():
     ...     warnings.simplefilter("error", ehlwave.ExtrapolationWarning)
     ...     try:

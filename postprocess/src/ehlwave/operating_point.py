@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any
 
 from ehlwave.choices import WINDOWS, chosen
 from ehlwave.contact.conditions_read import Given
-from ehlwave.deform.pair import DeformedPair
-from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
-from ehlwave.deform.prepare import Form, Window
-from ehlwave.deform.raw_surface import SurfaceSource
-from ehlwave.deform.read import ReadOptions, read_surface
-from ehlwave.deform.sliding import second_conditions
-from ehlwave.deform.surface import Surface
-from ehlwave.deform.transfer import Transfer
-from ehlwave.deform.transfer_choice import transfer_of
 from ehlwave.errors import ExtrapolationWarning, SurfaceError
+from ehlwave.laws.transfer import Transfer
+from ehlwave.laws.transfer_choice import transfer_of
 from ehlwave.smooth_contact import conditions_with_film
+from ehlwave.surface.film_profile import second_conditions
+from ehlwave.surface.pair import DeformedPair
+from ehlwave.surface.predict import Cutoffs, Deformed, deform_surface
+from ehlwave.surface.prepare import Form, Window
+from ehlwave.surface.raw_surface import SurfaceSource
+from ehlwave.surface.read import ReadOptions, read_surface
+from ehlwave.surface.surface import Surface
 from ehlwave.wavy_contact import WavyContact
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ class Contact(WavyContact):
         Another atlas file than that of the package.
     heat : Heat, optional
         How oil and bodies conduct and store heat: film and friction are those with heat, by the
-        laws of :mod:`ehlwave.heat_laws`. Waves stay isothermal, over the film with heat.
+        laws of :mod:`ehlwave.laws.heat_laws`. Waves stay isothermal, over the film with heat.
     **keys
         Keys of the input files of ``ehlwave-case``: dimensional data (``radius_x_m``,
         ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``, ``mean_speed_m_per_s``,
@@ -49,8 +49,8 @@ class Contact(WavyContact):
         ``slip_parameter`` (1) of the rough surface, or ``slide_to_roll_ratio`` (0); of a Ree-Eyring
         oil ``eyring_stress_pa``; relative errors of the oil, ``viscosity_error`` and
         ``pressure_viscosity_error``, which films carry. ``oil_over_flooded``, r, of a starved
-        contact that rolls: film and waves by the laws of :mod:`ehlwave.starvation`. Plain numbers
-        are SI; quantities of pint are converted. From two bodies: :meth:`from_bodies`.
+        contact that rolls: film and waves by the laws of :mod:`ehlwave.contact.starvation`. Plain
+        numbers are SI; quantities of pint are converted. From two bodies: :meth:`from_bodies`.
 
     Raises
     ------
@@ -124,9 +124,9 @@ class Contact(WavyContact):
             What components are judged by. The film is the atlas' where the contact lies in it, with
             heat that of :meth:`film`.
         form, ends, cutoffs_m
-            See :func:`ehlwave.deform.deform_surface`; ``cutoffs_m`` is (lambda_c, lambda_s).
+            See :func:`ehlwave.surface.deform_surface`; ``cutoffs_m`` is (lambda_c, lambda_s).
         **reading
-            Of :class:`ehlwave.deform.ReadOptions`, for what the surface does not say.
+            Of :class:`ehlwave.surface.ReadOptions`, for what the surface does not say.
 
         Raises
         ------
@@ -150,7 +150,7 @@ class Contact(WavyContact):
         ...     reduced_modulus_pa=2.26e11, load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
         >>> x = np.arange(0, 2e-3, 2e-6)
         >>> height = 50e-9 * np.cos(2 * np.pi * x / 1e-4)
-        >>> trace = ehlwave.deform.trace_surface(height, step_m=2e-6, axis="x", name="waves")
+        >>> trace = ehlwave.surface.trace_surface(height, step_m=2e-6, axis="x", name="waves")
         >>> found = contact.deform(trace)
         >>> before, after = found.statistics.rq_before_m, found.statistics.rq_after_m
         >>> print(f"Rq {before * 1e9:.0f} nm as measured, {after * 1e9:.0f} nm in the contact")
@@ -253,7 +253,7 @@ class Contact(WavyContact):
         ...     reduced_modulus_pa=2.26e11, load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
         >>> x = np.arange(0, 2e-3, 2e-6)
         >>> height = 50e-9 * np.cos(2 * np.pi * x / 1e-4)
-        >>> trace = ehlwave.deform.trace_surface(height, step_m=2e-6, axis="x", name="waves")
+        >>> trace = ehlwave.surface.trace_surface(height, step_m=2e-6, axis="x", name="waves")
         >>> found = contact.stress(trace)
         >>> print(f"Hertz pressure {found.hertz_pa / 1e9:.2f} GPa")
         Hertz pressure 0.85 GPa
@@ -297,7 +297,7 @@ class Contact(WavyContact):
         ...     reduced_modulus_pa=2.26e11, load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
         >>> x = np.arange(0, 2e-3, 2e-6)
         >>> height = 50e-9 * np.cos(2 * np.pi * x / 1e-4)
-        >>> trace = ehlwave.deform.trace_surface(height, step_m=2e-6, axis="x", name="waves")
+        >>> trace = ehlwave.surface.trace_surface(height, step_m=2e-6, axis="x", name="waves")
         >>> print(f"{contact.lambda_ratio(trace):.0f}")
         24
         """

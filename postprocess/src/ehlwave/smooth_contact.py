@@ -7,26 +7,26 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ehlwave.answers import Film
-from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
-from ehlwave.atlas.chart import Chart
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.data_sheet import Oil as DataSheetOil
 from ehlwave.contact.heat_data import Heat, heat_of
 from ehlwave.contact.two_bodies import contact_keys
-from ehlwave.deform.atlas_transfer import with_atlas_film, with_heated_film
 from ehlwave.errors import RangeError
-from ehlwave.film_answer import film_of
-from ehlwave.heated_contact import check_heat
+from ehlwave.laws.answers import Film
+from ehlwave.laws.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
+from ehlwave.laws.atlas.chart import Chart
+from ehlwave.laws.atlas_transfer import with_atlas_film, with_heated_film
+from ehlwave.laws.film_answer import film_of
+from ehlwave.laws.heated_contact import check_heat
 from ehlwave.quantities import number
 from ehlwave.shown import html_table, within
 
 if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
 
-    from ehlwave.keys import ContactKeys
+    from ehlwave.inputs.keys import ContactKeys
     from ehlwave.stress.loads import PoissonRatio
 
 

@@ -15,14 +15,14 @@ from ehlwave.choices import TRACTION_RATIOS
 from ehlwave.contact.heat_data import EMPTY_HEAT
 from ehlwave.driver import Study, key_groups
 from ehlwave.errors import ArgumentError, ProgramError, SurfaceError
-from ehlwave.schema import SETTLED
-from ehlwave.slip import RATIO, SLIP
+from ehlwave.inputs.slip import RATIO, SLIP
+from ehlwave.results.schema import SETTLED
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from ehlwave.progress import Following
+    from ehlwave.programs.progress import Following
 
 LIMIT, LIMIT_WIDTH = "shear_limit_over_pressure", "shear_limit_width"
 UNUSED = ("waviness", "waviness2", "surface", "surface2", "dynamics")
@@ -252,7 +252,7 @@ def traction_figure(found: Traction) -> "Figure":
     """
     from matplotlib.figure import Figure
 
-    from ehlwave.figures import COLOURS
+    from ehlwave.results.figures import COLOURS
 
     table = found.table
     has_heat = "thermal" in table

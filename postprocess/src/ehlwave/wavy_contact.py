@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from ehlwave.answers import Response
 from ehlwave.errors import RangeError
+from ehlwave.inputs.slip import slip_given
+from ehlwave.laws.answers import Response
+from ehlwave.laws.response_answer import response_of
+from ehlwave.laws.responses import response_table, responses_figure
 from ehlwave.quantities import number
-from ehlwave.response_answer import response_of
-from ehlwave.responses import response_table, responses_figure
-from ehlwave.slip import slip_given
 from ehlwave.smooth_contact import SmoothContact
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ehlwave.schema import SETTLED
+from ehlwave.results.schema import SETTLED
 from ehlwave.writing import Writer
 from studies import programs
 from studies.all_keys import compare

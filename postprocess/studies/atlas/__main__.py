@@ -8,9 +8,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from ehlwave.atlas import Atlas, load_atlas
-from ehlwave.atlas.atlas import shipped
-from ehlwave.atlas.kinds import KINDS, LINE, LINE_NEWTONIAN, LINE_SLIDING, SLIDING_WIDE, Kind
+from ehlwave.laws.atlas import Atlas, load_atlas
+from ehlwave.laws.atlas.atlas import shipped
+from ehlwave.laws.atlas.kinds import KINDS, LINE, LINE_NEWTONIAN, LINE_SLIDING, SLIDING_WIDE, Kind
 from studies.atlas import line_design, line_sliding_design, sliding_wide_design
 from studies.atlas.anchors import with_anchors
 from studies.atlas.batches import write_batch, write_rises, write_validation

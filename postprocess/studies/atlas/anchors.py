@@ -3,10 +3,10 @@
 import numpy as np
 import xarray as xr
 
-from ehlwave.atlas import load_atlas
-from ehlwave.atlas.kind import Kind, shipped
-from ehlwave.atlas.kinds import SLIDING
-from ehlwave.atlas.ranges import WAVE_RANGE
+from ehlwave.laws.atlas import load_atlas
+from ehlwave.laws.atlas.kind import Kind, shipped
+from ehlwave.laws.atlas.kinds import SLIDING
+from ehlwave.laws.atlas.ranges import WAVE_RANGE
 from studies.atlas.design import spread_contacts
 
 COUNT, WAVES = 1024, 4

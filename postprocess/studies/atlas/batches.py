@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from ehlwave.atlas import Atlas
-from ehlwave.atlas.kinds import ROLLING, WIDE
-from ehlwave.atlas.ranges import CONTACT_RANGES
-from ehlwave.atlas.sliding import MODULUS_PA
+from ehlwave.laws.atlas import Atlas
+from ehlwave.laws.atlas.kinds import ROLLING, WIDE
+from ehlwave.laws.atlas.ranges import CONTACT_RANGES
+from ehlwave.laws.atlas.sliding import MODULUS_PA
 from studies import sweeps
 from studies.atlas.design import (
     CONTACTS,

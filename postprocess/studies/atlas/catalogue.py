@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 
 import ehlwave
-from ehlwave.atlas.atlas import Atlas, chart_of
-from ehlwave.atlas.kind import Kind
-from ehlwave.atlas.kinds import LINE, LINE_NEWTONIAN, LINE_SLIDING, WIDE
 from ehlwave.errors import RangeError
+from ehlwave.laws.atlas.atlas import Atlas, chart_of
+from ehlwave.laws.atlas.kind import Kind
+from ehlwave.laws.atlas.kinds import LINE, LINE_NEWTONIAN, LINE_SLIDING, WIDE
 from studies import sweeps
 from studies.atlas import line_design, line_sliding_design
 from studies.atlas.bearings import CONTACTS, SEED, ball_contacts, roller_contacts

@@ -11,9 +11,9 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from ehlwave.atlas.line_newtonian import newtonian_conditions_of
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.medium import hertz_medium
+from ehlwave.laws.atlas.line_newtonian import newtonian_conditions_of
 
 LOWEST, HIGHEST = 0.005, 3.0
 """P between which it is looked for."""

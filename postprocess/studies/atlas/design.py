@@ -7,14 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
-from ehlwave.atlas import Atlas
-from ehlwave.atlas.coordinates import hertz_film
-from ehlwave.atlas.kind import is_within
-from ehlwave.atlas.kinds import ROLLING, SLIDING, SLIDING_WIDE, WIDE, Kind
-from ehlwave.atlas.ranges import CONTACT_RANGES
-from ehlwave.atlas.sliding import MODULUS_PA
 from ehlwave.contact.conditions import MOES_KEYS
 from ehlwave.contact.scales import ellipticity, lambdabar, pressure_factor
+from ehlwave.laws.atlas import Atlas
+from ehlwave.laws.atlas.coordinates import hertz_film
+from ehlwave.laws.atlas.kind import is_within
+from ehlwave.laws.atlas.kinds import ROLLING, SLIDING, SLIDING_WIDE, WIDE, Kind
+from ehlwave.laws.atlas.ranges import CONTACT_RANGES
+from ehlwave.laws.atlas.sliding import MODULUS_PA
 from studies.programs import Groups
 
 Floats = NDArray[np.float64]

@@ -10,11 +10,11 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from ehlwave.atlas.atlas import FORMAT_NAME, ranges_text
-from ehlwave.atlas.chart import with_contacts
-from ehlwave.atlas.committee import Committee
-from ehlwave.atlas.kinds import KINDS, Kind
-from ehlwave.atlas.sliding_shape import SlidingShape
+from ehlwave.laws.atlas.atlas import FORMAT_NAME, ranges_text
+from ehlwave.laws.atlas.chart import with_contacts
+from ehlwave.laws.atlas.committee import Committee
+from ehlwave.laws.atlas.kinds import KINDS, Kind
+from ehlwave.laws.atlas.sliding_shape import SlidingShape
 from studies.atlas.losses import Errors, Films, Task, Waves, part
 from studies.atlas.points import contact_of, film_numbers, waves_of
 from studies.atlas.store import variables_of

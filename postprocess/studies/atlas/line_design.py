@@ -5,12 +5,12 @@ from pathlib import Path
 
 import numpy as np
 
-from ehlwave.atlas import Atlas
-from ehlwave.atlas.kinds import LINE
-from ehlwave.atlas.line import LineShape
-from ehlwave.atlas.line_rolling import COMPUTED
-from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.contact.line_contact import SLENDER_OVER_LINE, line_film, moes_per_line_film
+from ehlwave.laws.atlas import Atlas
+from ehlwave.laws.atlas.kinds import LINE
+from ehlwave.laws.atlas.line import LineShape
+from ehlwave.laws.atlas.line_rolling import COMPUTED
+from ehlwave.laws.atlas.ranges import WAVE_RANGE
 from studies import sweeps
 from studies.atlas.design import GROUPS, random_contacts, spread_contacts, uncertain_contacts
 from studies.atlas.waves import MARGIN, random_wavelength

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 
-from ehlwave.atlas import Atlas
-from ehlwave.atlas.kind import Kind
-from ehlwave.atlas.kinds import LINE_NEWTONIAN, LINE_SLIDING
-from ehlwave.atlas.line_rolling import COMPUTED
+from ehlwave.laws.atlas import Atlas
+from ehlwave.laws.atlas.kind import Kind
+from ehlwave.laws.atlas.kinds import LINE_NEWTONIAN, LINE_SLIDING
+from ehlwave.laws.atlas.line_rolling import COMPUTED
 from studies import sweeps
 from studies.atlas import line_design
 from studies.atlas.batches import as_keys

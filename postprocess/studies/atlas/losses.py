@@ -6,7 +6,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.atlas.shape import Seen
+from ehlwave.laws.atlas.shape import Seen
 
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]

@@ -9,10 +9,10 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from ehlwave.atlas.kinds import LINE_NEWTONIAN, ROLLING, Kind
-from ehlwave.atlas.sliding import MODULUS_PA, conditions_of
-from ehlwave.formula import wave_and_direction
-from ehlwave.read import read_results
+from ehlwave.contact.formula import wave_and_direction
+from ehlwave.laws.atlas.kinds import LINE_NEWTONIAN, ROLLING, Kind
+from ehlwave.laws.atlas.sliding import MODULUS_PA, conditions_of
+from ehlwave.results.read import read_results
 from studies.atlas.centre import centre_pressures
 
 Floats = NDArray[np.float64]

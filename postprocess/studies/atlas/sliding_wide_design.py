@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from ehlwave.atlas import Atlas
-from ehlwave.atlas.coordinates import hertz_film
-from ehlwave.atlas.kinds import SLIDING, SLIDING_WIDE
-from ehlwave.atlas.sliding import conditions_of
-from ehlwave.atlas.sliding_wide import beyond_sliding, film_under_slip, thinning_of
 from ehlwave.contact.conditions import MOES_KEYS
+from ehlwave.laws.atlas import Atlas
+from ehlwave.laws.atlas.coordinates import hertz_film
+from ehlwave.laws.atlas.kinds import SLIDING, SLIDING_WIDE
+from ehlwave.laws.atlas.sliding import conditions_of
+from ehlwave.laws.atlas.sliding_wide import beyond_sliding, film_under_slip, thinning_of
 from studies import sweeps
 from studies.atlas.batches import rows
 from studies.atlas.design import (

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from ehlwave.atlas.committee import Committee
-from ehlwave.atlas.stored import checksum
+from ehlwave.laws.atlas.committee import Committee
+from ehlwave.laws.atlas.stored import checksum
 from ehlwave.writing import Writer
 
 PARTS = {

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 
-from ehlwave.atlas.committee import Committee, Layers, outputs_of
+from ehlwave.laws.atlas.committee import Committee, Layers, outputs_of
 
 Floats = NDArray[np.float64]
 

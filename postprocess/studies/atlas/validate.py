@@ -6,8 +6,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from ehlwave.atlas import Atlas
-from ehlwave.atlas.chart import Chart
+from ehlwave.laws.atlas import Atlas
+from ehlwave.laws.atlas.chart import Chart
 from studies.atlas.points import contact_of, film_numbers, waves_of
 from studies.sweeps import Row
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from ehlwave.atlas.ranges import WAVE_RANGE
+from ehlwave.laws.atlas.ranges import WAVE_RANGE
 from studies.atlas.design import SIZES, Design
 
 LONGITUDINAL = 100.0

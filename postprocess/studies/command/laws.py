@@ -22,7 +22,7 @@ def starvation(options: argparse.Namespace) -> int:
     with intervals by drawing contacts again. Then rows of contacts on one track, each with the oil
     that the one before left, against closed forms of overrollings and side flow. Writes films.h5,
     waves.h5, laws.csv, overrollings.csv, tracks.csv and two figures. The coefficients in laws.csv
-    are those of ehlwave.starvation.
+    are those of ehlwave.contact.starvation.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
@@ -55,7 +55,7 @@ def heat(options: argparse.Namespace) -> int:
     without heat. Fits by how much the warm inlet thins the film, and friction over that of an even
     film under Hertz pressure, contacts held out. Ten minutes on one core. Writes lines.h5,
     points.h5, contacts.csv, laws.csv and a figure. The coefficients in laws.csv are those of
-    ehlwave.heat_laws.
+    ehlwave.laws.heat_laws.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """

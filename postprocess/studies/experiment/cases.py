@@ -6,8 +6,8 @@ from typing import Any
 
 import f90nml
 
-from ehlwave.deform import conditions_from_keys
 from ehlwave.errors import ResultsError
+from ehlwave.surface import conditions_from_keys
 from studies.experiment.trace import AMPLITUDE_UM, WAVELENGTH_UM
 
 SPEEDS = (0.024, 0.048, 0.096)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from pathlib import Path
 
-from ehlwave.formula import amplitude_ratio_formula, v
+from ehlwave.contact.formula import amplitude_ratio_formula, v
 from studies.experiment import paper
 from studies.experiment.cases import GRIDS, SMOOTH, SPEEDS, Run, read_input
 from studies.experiment.measure import Solved, read_solved

@@ -8,7 +8,7 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ehlwave.figures import COLOURS
+from ehlwave.results.figures import COLOURS
 from studies.experiment.measure import CENTRAL_WAVES, Solved
 from studies.experiment.paper import PRINTED
 from studies.experiment.trace import AMPLITUDE_UM, WAVELENGTH_UM, Floats, Sinusoid

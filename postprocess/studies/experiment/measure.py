@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from ehlwave.case_file import read_contact
+from ehlwave.results.case_file import read_contact
 from studies.experiment.cases import GRIDS, Run
 from studies.experiment.stage import finished
 from studies.experiment.trace import AMPLITUDE_UM, WAVELENGTH_UM

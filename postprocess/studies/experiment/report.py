@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ehlwave.deform import read_surface
 from ehlwave.errors import ResultsError
+from ehlwave.surface import read_surface
 from studies.experiment import paper
 from studies.experiment.cases import GRIDS, SMOOTH, SPEEDS, TRACE, Run, all_runs, read_input
 from studies.experiment.comparison import (

@@ -3,9 +3,9 @@
 from pathlib import Path
 from typing import Any
 
-from ehlwave.deform import cut_period, read_surface
-from ehlwave.deform.prepare import remove_form
 from ehlwave.errors import ResultsError
+from ehlwave.surface import cut_period, read_surface
+from ehlwave.surface.prepare import remove_form
 from studies import sweeps
 from studies.experiment.cases import COSINE, TRACE, Groups, Run, all_runs, keys_of, shared_groups
 from studies.experiment.trace import WAVELENGTH_UM

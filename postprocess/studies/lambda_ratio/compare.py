@@ -11,10 +11,10 @@ import pandas as pd
 import xarray as xr
 from scipy.interpolate import RectBivariateSpline
 
-from ehlwave.case_file import read_contact
-from ehlwave.deform import Surface
-from ehlwave.deform.prepare import TAPERED_SHARE
-from ehlwave.schema import SETTLED
+from ehlwave.results.case_file import read_contact
+from ehlwave.results.schema import SETTLED
+from ehlwave.surface import Surface
+from ehlwave.surface.prepare import TAPERED_SHARE
 from studies import sweeps
 from studies.lambda_ratio.simulate import SMALL, Levels, March, marches
 from studies.microgeometry.surfaces import Floats

@@ -5,8 +5,8 @@ import itertools
 import numpy as np
 import pandas as pd
 
-from ehlwave.deform.amplitude import lowest_film
-from ehlwave.schema import SETTLED
+from ehlwave.results.schema import SETTLED
+from ehlwave.surface.amplitude import lowest_film
 from studies.lambda_ratio.simulate import HELD_OUT, SMALL
 from studies.microgeometry.surfaces import Floats
 

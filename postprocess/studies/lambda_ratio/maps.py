@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from ehlwave.deform import Conditions, Surface, map_surface
-from ehlwave.deform.prepare import taper
+from ehlwave.surface import Conditions, Surface, map_surface
+from ehlwave.surface.prepare import taper
 from studies.microgeometry.surfaces import Floats
 
 STRETCH = {"isotropic": (1, 1), "longitudinal": (3, 1), "transverse": (1, 3)}

@@ -7,8 +7,8 @@ import pandas as pd
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ehlwave.deform.amplitude import lowest_film
-from ehlwave.figures import COLOURS
+from ehlwave.results.figures import COLOURS
+from ehlwave.surface.amplitude import lowest_film
 from ehlwave.writing import Writer
 from studies.lambda_ratio.judge import (
     OILS,

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ehlwave import Contact, ExtrapolationWarning
-from ehlwave.deform import Deformed, Surface, simulation_surface
+from ehlwave.surface import Deformed, Surface, simulation_surface
 from studies import sweeps
 from studies.lambda_ratio.maps import STRETCH, rough_map
 from studies.microgeometry.simulate import CONTACT, LUBRICANT

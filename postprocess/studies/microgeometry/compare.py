@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ehlwave.case_file import read_contact
-from ehlwave.deform import (
+from ehlwave.errors import ResultsError
+from ehlwave.results.case_file import read_contact
+from ehlwave.results.schema import SETTLED
+from ehlwave.surface import (
     FormulaTransfer,
     Surface,
     TableTransfer,
@@ -18,9 +20,7 @@ from ehlwave.deform import (
     read_surface,
     read_table,
 )
-from ehlwave.deform.prepare import TAPERED_SHARE
-from ehlwave.errors import ResultsError
-from ehlwave.schema import SETTLED
+from ehlwave.surface.prepare import TAPERED_SHARE
 from studies import sweeps
 from studies.microgeometry.simulate import SPEEDS, conditions_at, contact_at, table_file
 from studies.microgeometry.surfaces import Floats, amplitude_of

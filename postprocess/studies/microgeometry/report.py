@@ -6,7 +6,7 @@ from pathlib import Path
 import pandas as pd
 from matplotlib.figure import Figure
 
-from ehlwave.figures import COLOURS
+from ehlwave.results.figures import COLOURS
 from ehlwave.writing import Writer
 from studies.microgeometry.compare import Comparison
 

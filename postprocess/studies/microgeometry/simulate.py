@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from ehlwave import Contact
-from ehlwave.deform import Conditions, Surface
-from ehlwave.deform.harmonics import write_harmonic_table
-from ehlwave.points import select_points
-from ehlwave.read import read_results
+from ehlwave.results.points import select_points
+from ehlwave.results.read import read_results
+from ehlwave.surface import Conditions, Surface
+from ehlwave.surface.harmonics import write_harmonic_table
 from studies import sweeps
 
 # Table 1 of the paper: ball on disc.

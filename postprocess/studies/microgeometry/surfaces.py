@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.deform import Surface, map_surface, trace_surface
+from ehlwave.surface import Surface, map_surface, trace_surface
 
 Floats = NDArray[np.float64]
 

@@ -13,11 +13,11 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from ehlwave import Contact
-from ehlwave.case_file import read_contact
-from ehlwave.deform import Surface, trace_surface
-from ehlwave.deform.prepare import taper
 from ehlwave.errors import ResultsError
-from ehlwave.schema import SETTLED
+from ehlwave.results.case_file import read_contact
+from ehlwave.results.schema import SETTLED
+from ehlwave.surface import Surface, trace_surface
+from ehlwave.surface.prepare import taper
 from ehlwave.writing import Writer
 from studies import sweeps
 from studies.microgeometry.simulate import CONTACT, LUBRICANT

@@ -5,9 +5,14 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ehlwave.formula import RECOMMENDED_L_EXPONENT, RECOMMENDED_SCALE, RECOMMENDED_SHARPNESS, f_of_r
-from ehlwave.points import select_points
-from ehlwave.read import read_results
+from ehlwave.contact.formula import (
+    RECOMMENDED_L_EXPONENT,
+    RECOMMENDED_SCALE,
+    RECOMMENDED_SHARPNESS,
+    f_of_r,
+)
+from ehlwave.results.points import select_points
+from ehlwave.results.read import read_results
 from studies.paper import better_formula_figures as figures
 from studies.paper import better_formula_tables as tables
 from studies.paper.candidates import LADDER, ONE_PARAMETER, PAPER, RECOMMENDED, REFITTED, ROUNDED
@@ -30,7 +35,7 @@ def section(folder: Path) -> Section:
     """Return the part of the report on better formulas, from ``dense.h5``.
 
     ``resolved.h5`` and ``fresh.h5``, if they are in the folder, serve as checks only. Raises as
-    :func:`ehlwave.read.read_results` and :func:`ehlwave.points.select_points` do.
+    :func:`ehlwave.results.read.read_results` and :func:`ehlwave.results.points.select_points` do.
     """
     points = _points(folder / "dense.h5")
     scores = [scored(candidate, points) for candidate in LADDER]

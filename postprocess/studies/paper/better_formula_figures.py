@@ -6,8 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ehlwave.figures import COLOURS
-from ehlwave.formula import (
+from ehlwave.contact.formula import (
     RECOMMENDED_L_EXPONENT,
     RECOMMENDED_SHARPNESS,
     amplitude_ratio_formula,
@@ -16,6 +15,7 @@ from ehlwave.formula import (
     recommended_parameter,
     wave_and_direction,
 )
+from ehlwave.results.figures import COLOURS
 from studies.paper.cases import DIRECTIONS
 from studies.paper.fit_points import Floats, Points
 

@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pandas as pd
 
-from ehlwave.formula import power_ratio
+from ehlwave.contact.formula import power_ratio
 from studies.folds import grouped_folds
 from studies.paper.candidates import PAPER, REFITTED, ROUNDED, Candidate, Parameters
 from studies.paper.cases import DIRECTIONS

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.formula import (
+from ehlwave.contact.formula import (
     PAPER_C1,
     PAPER_C2,
     amplitude_ratio_formula,

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
-from ehlwave.formula import f_of_r
+from ehlwave.contact.formula import f_of_r
 from ehlwave.writing import Writer
 
 RADIUS_RATIOS = (1.0, 0.35, 0.12, 0.04)

@@ -19,7 +19,7 @@ def fitted(candidate: Candidate, points: Points, start: Parameters | None = None
     The search begins at ``start``, or at the candidate's own.
 
     Residuals weigh s/sqrt(s^2 + e^2), e the error bar of a point and s the scatter of the
-    unweighted fit, as in :func:`ehlwave.fit.point_weights`.
+    unweighted fit, as in :func:`ehlwave.results.fit.point_weights`.
     """
     begin = np.array(candidate.start) if start is None else start
     if not begin.size:

@@ -5,8 +5,8 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
-from ehlwave.formula import wave_and_direction, wavelength_ratio
-from ehlwave.points import condition_index
+from ehlwave.contact.formula import wave_and_direction, wavelength_ratio
+from ehlwave.results.points import condition_index
 from studies.paper.cases import DIRECTIONS
 
 Floats = NDArray[np.float64]
@@ -15,10 +15,10 @@ Points = np.recarray
 
 
 def points_of(selected: xr.Dataset) -> Points:
-    """Return the points of :func:`ehlwave.points.select_points` for fitting, dimensionless.
+    """Return the points of :func:`ehlwave.results.points.select_points` for fitting, dimensionless.
 
     ``wave`` is lambda_n/a and ``along`` cos^2(theta), see
-    :func:`ehlwave.formula.wave_and_direction`; ``shorter`` min(lambda_x, lambda_y)/a, the
+    :func:`ehlwave.contact.formula.wave_and_direction`; ``shorter`` min(lambda_x, lambda_y)/a, the
     wavelength of eq. (15); ``load`` gamma M; ``direction`` the number of the nearest of
     ``DIRECTIONS``; ``condition`` that of (M, L, D); ``error`` the error bar of ``ratio`` = Ad/Ai, 0
     where not known.

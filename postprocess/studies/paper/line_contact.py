@@ -7,9 +7,9 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
-from ehlwave.figures import COLOURS
-from ehlwave.formula import amplitude_ratio_formula, recommended_ratio
-from ehlwave.points import select_points
+from ehlwave.contact.formula import amplitude_ratio_formula, recommended_ratio
+from ehlwave.results.figures import COLOURS
+from ehlwave.results.points import select_points
 from studies.paper.cases import PAPER_L, PUBLISHED_LINE
 from studies.section import Picture, Section, Table, comparison, comparison_row
 from studies.stages import read_stage

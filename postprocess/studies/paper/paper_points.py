@@ -8,10 +8,10 @@ import pandas as pd
 import xarray as xr
 from matplotlib.figure import Figure
 
-from ehlwave.figures import COLOURS, FIGURE_NUMBERS, collapse_figure, outside_axes
-from ehlwave.formula import amplitude_ratio_formula
-from ehlwave.points import count_by_status, select_points
-from ehlwave.schema import ORIENTATIONS
+from ehlwave.contact.formula import amplitude_ratio_formula
+from ehlwave.results.figures import COLOURS, FIGURE_NUMBERS, collapse_figure, outside_axes
+from ehlwave.results.points import count_by_status, select_points
+from ehlwave.results.schema import ORIENTATIONS
 from studies.section import Picture, Section, Table
 from studies.stages import by_point, read_stage
 

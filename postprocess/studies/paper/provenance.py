@@ -8,8 +8,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from ehlwave.points import count_by_status
-from ehlwave.schema import DIMENSION
+from ehlwave.results.points import count_by_status
+from ehlwave.results.schema import DIMENSION
 from studies.section import Section, Table
 from studies.stages import read_stage, read_stages
 

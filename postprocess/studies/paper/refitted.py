@@ -7,10 +7,10 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
-from ehlwave.formula import PAPER_C1, PAPER_C2
-from ehlwave.points import resolved_only, select_points
-from ehlwave.refit import RefitSettings, refit_groups
-from ehlwave.schema import DIMENSION, ORIENTATIONS
+from ehlwave.contact.formula import PAPER_C1, PAPER_C2
+from ehlwave.results.points import resolved_only, select_points
+from ehlwave.results.refit import RefitSettings, refit_groups
+from ehlwave.results.schema import DIMENSION, ORIENTATIONS
 from studies.section import Picture, Section, Table, comparison, comparison_row
 from studies.stages import read_stage
 
@@ -65,8 +65,8 @@ def study_refits(folder: Path, settings: RefitSettings) -> pd.DataFrame:
     """Fit every set of points of the study on f(r) V.
 
     One row for each set and group of points in it: ``varied`` is what varies from set to set,
-    ``name`` that of the set, the others are of :class:`ehlwave.refit.RefitRow`, with the ends
-    of the bootstrap intervals.
+    ``name`` is the name of the set; the others are from :class:`ehlwave.results.refit.RefitRow`,
+    with the ends of the bootstrap intervals.
     """
     resolved = select_points(read_stage(folder, "resolved"))
     coarse = select_points(read_stage(folder, "paper_grid"), include_unresolved=True)

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from ehlwave.figures import write_figure
+from ehlwave.results.figures import write_figure
 from ehlwave.writing import Writer
 from studies.command import maps
 from studies.command.options import step_parser

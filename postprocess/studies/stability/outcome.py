@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ehlwave.contact.scales import moes_film
-from ehlwave.schema import SETTLED
+from ehlwave.results.schema import SETTLED
 from studies.programs import Outcome
 from studies.stability.cases import SLIDING, Case
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import RegularGridInterpolator
 
 from ehlwave.contact.two_waves import TwoWaves
-from ehlwave.deform import Conditions
+from ehlwave.surface import Conditions
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -18,7 +18,7 @@ Complex = NDArray[np.complex128]
 class ComputedWaves:
     """Both waves at Y = 0 of patterns cos(ky Y) exp(i kx X), from a table over kx and ky.
 
-    Stands for a :class:`ehlwave.deform.TwoWaveTransfer`. Interpolated are a, psi - kx, and
+    Stands for a :class:`ehlwave.surface.TwoWaveTransfer`. Interpolated are a, psi - kx, and
     c exp(-i (psi - kx)), which turns slowly; a and psi are the closed forms at the computed contact
     centre, c what a leaves of the film there. Longer waves than the longest are taken as that one,
     the mean as nothing; shorter ones than the shortest are left as they are.

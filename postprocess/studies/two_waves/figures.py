@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ehlwave.case_file import read_contact
-from ehlwave.figures import COLOURS
+from ehlwave.results.case_file import read_contact
+from ehlwave.results.figures import COLOURS
 from studies.sweeps import fields_file, read_sweep
 from studies.two_waves.fit import rms
 from studies.two_waves.passing import WINDOW, Passing

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
+from ehlwave.contact.rolling import AMPLITUDE, PHASE, rolling_transfer
 from ehlwave.contact.two_waves import LAUNCH_LENGTH, SLIP_POWERS, Launch, launch_length, launched
-from ehlwave.rolling import AMPLITUDE, PHASE, rolling_transfer
 from studies.folds import grouped_folds
 from studies.two_waves.points import Pairs, Rolling
 

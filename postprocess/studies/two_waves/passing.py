@@ -12,10 +12,10 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from ehlwave.case_file import read_contact
-from ehlwave.deform import Mover, TwoWaveTransfer
 from ehlwave.errors import ResultsError
-from ehlwave.schema import SETTLED
+from ehlwave.results.case_file import read_contact
+from ehlwave.results.schema import SETTLED
+from ehlwave.surface import Mover, TwoWaveTransfer
 from studies import sweeps
 from studies.two_waves.computed_waves import ComputedWaves
 from studies.two_waves.shapes import (

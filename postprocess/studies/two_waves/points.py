@@ -8,9 +8,9 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.special import ellipk
 
+from ehlwave.contact.formula import wave_and_direction
 from ehlwave.contact.oils import Oil
-from ehlwave.formula import wave_and_direction
-from ehlwave.read import read_results
+from ehlwave.results.read import read_results
 from studies.two_waves.cases import REDUCED_MODULUS_PA
 
 Floats = NDArray[np.float64]
@@ -80,7 +80,7 @@ def rolling_points(*paths: Path) -> Rolling:
 
     Below gamma M = ``LEAST_LOAD`` there is no Hertzian contact to speak of.
 
-    Raises as :func:`ehlwave.read.read_results`.
+    Raises as :func:`ehlwave.results.read.read_results`.
     """
     table = _usable(paths)
     table = table[(table["slip_parameter"] == 1) & (table["flow_law"] == "newtonian")]

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from scipy.special import ellipk
 
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
+from ehlwave.contact.formula import recommended_ratio
 from ehlwave.contact.two_waves import two_waves
-from ehlwave.formula import recommended_ratio
 from studies.section import Picture, Section, Table
 from studies.two_waves import figures
 from studies.two_waves.cases import REDUCED_MODULUS_PA
@@ -36,7 +36,7 @@ def section(folder: Path) -> Section:
     """Return the chapter, from ``two_waves.h5`` and ``two_waves_fresh.h5`` in the folder.
 
     ``dense.h5`` adds waves in pure rolling; shapes and pictures are there if their sweeps are.
-    Raises as :func:`ehlwave.read.read_results`.
+    Raises as :func:`ehlwave.results.read.read_results`.
     """
     own = folder / "two_waves.h5"
     rolled = [path for path in (own, folder / "dense.h5") if path.exists()]

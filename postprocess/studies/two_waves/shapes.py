@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ehlwave.deform import Conditions, Surface, conditions_from_keys, map_surface, trace_surface
+from ehlwave.surface import Conditions, Surface, conditions_from_keys, map_surface, trace_surface
 from studies import sweeps
 
 CONTACT = {

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from ehlwave.formula import amplitude_ratio_formula
-from ehlwave.points import select_points
+from ehlwave.contact.formula import amplitude_ratio_formula
+from ehlwave.results.points import select_points
 from studies.section import Section, comparison, comparison_row
 from studies.stages import read_stage
 

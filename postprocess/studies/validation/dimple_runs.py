@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from ehlwave.case_file import read_contact
-from ehlwave.deform import conditions_from_keys, map_surface
+from ehlwave.results.case_file import read_contact
+from ehlwave.surface import conditions_from_keys, map_surface
 from studies.programs import Groups
 from studies.sweeps import fields_file, write_surface
 from studies.validation.sweep import swept

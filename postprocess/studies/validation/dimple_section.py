@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
-from ehlwave.figures import COLOURS
+from ehlwave.results.figures import COLOURS
 from studies.section import Picture, Section, Table
 from studies.validation.dimple import INSIDE, INSTANTS, OUTSIDE, Dimple, computed
 from studies.validation.published import centre_line

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from ehlwave.schema import CONVERGED
+from ehlwave.results.schema import CONVERGED
 from studies.validation.sweep import swept
 
 LOADS = (20, 50, 100, 200, 500)

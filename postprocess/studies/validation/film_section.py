@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
-from ehlwave.figures import COLOURS
+from ehlwave.results.figures import COLOURS
 from studies.section import Picture, Section, Table
 from studies.validation.film_map import LARGEST_ERROR, LOADS, LUBRICANTS, RATIOS, films
 from studies.validation.formulas import CENTRAL, SMALLEST, G

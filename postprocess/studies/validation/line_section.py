@@ -5,7 +5,7 @@ from pathlib import Path
 import pandas as pd
 from matplotlib.figure import Figure
 
-from ehlwave.figures import COLOURS
+from ehlwave.results.figures import COLOURS
 from studies.section import Picture, Section, Table
 from studies.validation.line_ratios import (
     AMPLITUDE,

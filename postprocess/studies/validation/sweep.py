@@ -6,8 +6,8 @@ from pathlib import Path
 import xarray as xr
 
 from ehlwave.errors import ResultsError
-from ehlwave.read import read_results
-from ehlwave.schema import CONVERGED, UNRESOLVED
+from ehlwave.results.read import read_results
+from ehlwave.results.schema import CONVERGED, UNRESOLVED
 from studies.programs import Groups, run
 from studies.sweeps import write_sweep
 

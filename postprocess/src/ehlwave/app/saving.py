@@ -8,7 +8,7 @@ from typing import Any
 from ehlwave.app.contacts import call, source
 from ehlwave.app.task import Answer
 from ehlwave.app.uploads import file_name
-from ehlwave.deform.report import report_json
+from ehlwave.surface.report import report_json
 
 FORMAT_NAME = "ehlwave-app"
 
@@ -21,8 +21,8 @@ film = contact.film()
 print(film)
 """
 _SURFACE = """
-print(ehlwave.deform.report_text(found))
-ehlwave.deform.write_results(found, Path("deformed"))
+print(ehlwave.surface.report_text(found))
+ehlwave.surface.write_results(found, Path("deformed"))
 """
 
 

@@ -9,8 +9,8 @@ from html import escape
 from typing import Any
 
 from ehlwave.app.task import DOTS_PER_INCH, Answer
-from ehlwave.deform.predict import Deformed
-from ehlwave.deform.report import report_text
+from ehlwave.surface.predict import Deformed
+from ehlwave.surface.report import report_text
 
 UM = 1e6
 SHOWN_PER_INCH = 130

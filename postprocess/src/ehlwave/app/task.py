@@ -10,14 +10,14 @@ from typing import Any
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ehlwave.answers import Film
 from ehlwave.app.contacts import Given, made
 from ehlwave.app.uploads import Upload, read_upload
-from ehlwave.deform.figures import deformed_figure, spectrum_figure
-from ehlwave.deform.predict import Deformed
-from ehlwave.deform.read import ReadOptions
 from ehlwave.errors import ExtrapolationWarning, RangeError
+from ehlwave.laws.answers import Film
 from ehlwave.operating_point import Contact
+from ehlwave.surface.figures import deformed_figure, spectrum_figure
+from ehlwave.surface.predict import Deformed
+from ehlwave.surface.read import ReadOptions
 
 DOTS_PER_INCH = 200
 _DRAWING = Lock()
@@ -34,7 +34,7 @@ class Task:
     """A measured surface."""
     reading: Mapping[str, Any] = field(default_factory=dict)
     options: Mapping[str, Any] = field(default_factory=dict)
-    """`reading`, `options`: of :class:`ehlwave.deform.ReadOptions`, and of
+    """`reading`, `options`: of :class:`ehlwave.surface.ReadOptions`, and of
     :meth:`ehlwave.Contact.deform`."""
 
 

@@ -5,10 +5,10 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
-from ehlwave.deform.read import ReadOptions, read_surface
-from ehlwave.deform.surface import Surface
 from ehlwave.errors import ResultsError, SurfaceError, printable
 from ehlwave.hdf5 import opened
+from ehlwave.surface.read import ReadOptions, read_surface
+from ehlwave.surface.surface import Surface
 from ehlwave.writing import Writer
 
 LARGEST_MB = 16

@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from ehlwave.contact.formula import v
 from ehlwave.contact.line_contact import (
     SLENDER_OVER_LINE,
     line_alphabar,
@@ -20,9 +21,8 @@ from ehlwave.contact.scales import (
     first_integral,
     lambdabar,
 )
+from ehlwave.contact.starvation import FILM_BAR
 from ehlwave.contact.thinning import NEARLY_NEWTONIAN, film_loss, stresses_in_inlet
-from ehlwave.formula import v
-from ehlwave.starvation import FILM_BAR
 
 MOES_KEYS = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
 

@@ -10,12 +10,12 @@ from ehlwave.contact.data_errors import DATA_ERRORS
 from ehlwave.contact.line_contact import LINE_KEYS, LOAD_KEY
 from ehlwave.contact.moes_parameters import DIMENSIONAL_KEYS, moes_values
 from ehlwave.contact.oil_keys import OIL_KEYS
+from ehlwave.contact.starvation import OIL_OVER_FLOODED
 from ehlwave.errors import SurfaceError
 from ehlwave.extras import load
 from ehlwave.hints import did_you_mean, see
+from ehlwave.inputs.slip import RATIO, SLIP, refuse_both, slip_of
 from ehlwave.quantities import PLAUSIBLE, number
-from ehlwave.slip import RATIO, SLIP, refuse_both, slip_of
-from ehlwave.starvation import OIL_OVER_FLOODED
 
 CONTRADICTION = 0.1
 """Relative difference of the reduced modulus as it is given and as it follows from M, L and lengths
@@ -145,7 +145,7 @@ def _refuse_contradiction(values: Mapping[str, float], found: Conditions, place:
 def unknown_key(key: str, known: Sequence[str]) -> str:
     """Return what is to be said of a key that a contact does not take."""
     what = f"unknown key {key}{did_you_mean(key, known)}"
-    if key in load("ehlwave.keys").CaseKeys.__annotations__:
+    if key in load("ehlwave.inputs.keys").CaseKeys.__annotations__:
         what = f"{key} is a key of ehlwave.Case and input files, which is not taken here"
     return f"{what}; known are {', '.join(known)}"
 

@@ -28,9 +28,9 @@ from ehlwave.contact.scales import (
     moes_per_film,
     pressure_factor,
 )
+from ehlwave.contact.starvation import FILM_BAR, OIL_OVER_FLOODED, UNDER_SLIP, film_over_flooded
 from ehlwave.errors import SurfaceError
-from ehlwave.slip import SLIP
-from ehlwave.starvation import FILM_BAR, OIL_OVER_FLOODED, UNDER_SLIP, film_over_flooded
+from ehlwave.inputs.slip import SLIP
 
 
 def conditions_from_moes(

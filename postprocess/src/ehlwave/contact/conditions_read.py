@@ -22,9 +22,9 @@ from ehlwave.contact.file_keys import (
 )
 from ehlwave.contact.heat_data import Heat, heat_of_keys
 from ehlwave.errors import SurfaceError
-from ehlwave.key_classes import HEAT_DATA
+from ehlwave.inputs.key_classes import HEAT_DATA
+from ehlwave.inputs.slip import merged, refuse_both
 from ehlwave.quantities import number
-from ehlwave.slip import merged, refuse_both
 
 FLOW_LAWS = {"newtonian": "Newtonian", "eyring": "Ree-Eyring", "carreau": "Carreau"}
 """Oils by the ``flow_law`` of files."""

@@ -12,10 +12,10 @@ import f90nml
 
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.contact.heat_data import EMPTY_HEAT
+from ehlwave.contact.starvation import OIL_OVER_FLOODED
 from ehlwave.errors import SurfaceError, printable
 from ehlwave.hints import did_you_mean
-from ehlwave.key_classes import HEAT_DATA, OF_THE_SOLUTION, OF_WAVES, WITHOUT_EFFECT
-from ehlwave.starvation import OIL_OVER_FLOODED
+from ehlwave.inputs.key_classes import HEAT_DATA, OF_THE_SOLUTION, OF_WAVES, WITHOUT_EFFECT
 
 GROUPS = ("conditions", "lubricant", "heat", "inlet", "grid", "solver", "dynamics", "output")
 OF_ROUGHNESS = ("waviness", "waviness2", "surface", "surface2")

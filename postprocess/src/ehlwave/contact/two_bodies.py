@@ -16,8 +16,8 @@ from ehlwave.contact.line_contact import LOAD_KEY
 from ehlwave.contact.moes_parameters import ROUND_OFF
 from ehlwave.errors import SurfaceError
 from ehlwave.hints import see
+from ehlwave.inputs.slip import RATIO, SLIP, slip_of
 from ehlwave.quantities import number, plain
-from ehlwave.slip import RATIO, SLIP, slip_of
 
 BODY_KEYS = ("load_n", LOAD_KEY, "length_m", "speeds_m_per_s", "mean_speed_m_per_s", SLIP, RATIO)
 """What users say of the contact of two bodies, besides the oil."""

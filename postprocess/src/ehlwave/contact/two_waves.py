@@ -20,7 +20,7 @@ the loss of its way; u^2/6 is what a launch spread over 2d averages out. psi_1 i
 rolling, whose loss R has in it already. Of waves that are much shorter than the inlet R is 1 and
 nothing arrives. T is what thinning in the inlet costs, B0 the B of the viscosity at ambient
 pressure (:class:`ehlwave.contact.medium.Medium`). p to r and d are fitted (``studies.two_waves``);
-S -> 1 gives a + c = R, the pure rolling law of :mod:`ehlwave.rolling`.
+S -> 1 gives a + c = R, the pure rolling law of :mod:`ehlwave.contact.rolling`.
 """
 
 from collections.abc import Sequence
@@ -30,10 +30,10 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ehlwave.contact.formula import wave_and_direction
 from ehlwave.contact.medium import INLET_VISCOSITY, Medium
+from ehlwave.contact.rolling import rolling_transfer
 from ehlwave.errors import ArgumentError
-from ehlwave.formula import wave_and_direction
-from ehlwave.rolling import rolling_transfer
 
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
@@ -143,7 +143,7 @@ def launch_length(
 
 
 class SmoothContact(Protocol):
-    """Interface of a contact for the law; :class:`ehlwave.deform.Conditions` is one."""
+    """Interface of a contact for the law; :class:`ehlwave.surface.Conditions` is one."""
 
     @property
     def m(self) -> float:

@@ -10,9 +10,9 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
-from ehlwave.case_file import read_contact, whole_domain
 from ehlwave.choices import POISSON_RATIO
 from ehlwave.errors import StressError
+from ehlwave.results.case_file import read_contact, whole_domain
 from ehlwave.stress.field import stress_below, stress_line
 from ehlwave.stress.loads import checked_depths, checked_load
 from ehlwave.stress.waves import COMPONENTS

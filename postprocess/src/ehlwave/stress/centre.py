@@ -6,12 +6,12 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from ehlwave.deform.predict import Deformed
-from ehlwave.deform.ripple import hertz_pressure_of
-from ehlwave.deform.rough_pressure import Ripple, ripple_of
 from ehlwave.errors import StressError
 from ehlwave.stress.hertz import hertz_pressure
 from ehlwave.stress.passage import edge_factor
+from ehlwave.surface.predict import Deformed
+from ehlwave.surface.ripple import hertz_pressure_of
+from ehlwave.surface.rough_pressure import Ripple, ripple_of
 
 Floats = NDArray[np.float64]
 

@@ -8,13 +8,13 @@ from numpy.typing import ArrayLike
 
 from ehlwave.choices import POISSON_RATIO
 from ehlwave.contact.conditions import Conditions
-from ehlwave.deform.pair import DeformedPair
-from ehlwave.deform.predict import Deformed
-from ehlwave.deform.raw_surface import SurfaceSource
-from ehlwave.deform.surface import Surface
 from ehlwave.errors import RangeError
 from ehlwave.stress.loads import PoissonRatio
 from ehlwave.stress.rough import RoughStress, rough_stress
+from ehlwave.surface.pair import DeformedPair
+from ehlwave.surface.predict import Deformed
+from ehlwave.surface.raw_surface import SurfaceSource
+from ehlwave.surface.surface import Surface
 
 UNKNOWN_FRICTION = (
     "friction is not known for this oil and slip: stresses are without it; give friction=, the "

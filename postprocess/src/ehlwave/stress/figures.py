@@ -9,8 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ehlwave.figures import COLOURS
-from ehlwave.scales_of_figures import aspect_note, readable_aspect
+from ehlwave.results.figures import COLOURS
+from ehlwave.results.scales_of_figures import aspect_note, readable_aspect
 from ehlwave.stress.centre import contact_fields
 from ehlwave.stress.criteria import von_mises
 from ehlwave.stress.dang_van import PRESSURE_COEFFICIENT, Path, fatigue_shear

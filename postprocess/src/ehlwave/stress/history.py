@@ -8,11 +8,11 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.contact.conditions import Conditions
-from ehlwave.deform.ripple import hertz_pressure_of
-from ehlwave.deform.rough_pressure import Ripple
 from ehlwave.stress.midplane import hertz_midplane_stress
 from ehlwave.stress.passage import edge_factor_below, ripple_stresses
 from ehlwave.stress.waves import COMPONENTS
+from ehlwave.surface.ripple import hertz_pressure_of
+from ehlwave.surface.rough_pressure import Ripple
 
 Floats = NDArray[np.float64]
 Stresses = dict[str, Floats]

@@ -13,8 +13,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.deform.rough_pressure import Ripple
 from ehlwave.stress.waves import wave_stress
+from ehlwave.surface.rough_pressure import Ripple
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]

@@ -11,9 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.choices import POISSON_RATIO
 from ehlwave.contact.conditions import Conditions
-from ehlwave.deform.predict import Deformed
-from ehlwave.deform.ripple import hertz_pressure_of
-from ehlwave.deform.rough_pressure import Ripple, ripple_of
 from ehlwave.errors import StressError
 from ehlwave.hints import see
 from ehlwave.shown import Shown, within
@@ -30,6 +27,9 @@ from ehlwave.stress.loads import (
     checked_poisson_ratios,
 )
 from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts, reach
+from ehlwave.surface.predict import Deformed
+from ehlwave.surface.ripple import hertz_pressure_of
+from ehlwave.surface.rough_pressure import Ripple, ripple_of
 
 Floats = NDArray[np.float64]
 

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Sequence
 
-from ehlwave.deform.predict import Deformed
-from ehlwave.deform.ripple import hertz_pressure_of
-from ehlwave.deform.rough_pressure import Ripple
+from ehlwave.surface.predict import Deformed
+from ehlwave.surface.ripple import hertz_pressure_of
+from ehlwave.surface.rough_pressure import Ripple
 
 MODEL_ERROR = 0.05
 """Relative: waves of the centre stand for those of the whole contact, and Hertz for its pressure;

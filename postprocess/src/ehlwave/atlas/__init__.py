@@ -1,5 +1,0 @@
-"""The atlas: responses of smooth contacts to small waves, computed once and learned by networks."""
-
-from ehlwave.atlas.atlas import Atlas, load_atlas
-
-__all__ = ["Atlas", "load_atlas"]

@@ -1,0 +1,1 @@
+"""Laws: sources of films, friction and responses, with their errors."""

@@ -1,0 +1,47 @@
+"""The networks of an atlas, and the kind of contacts that they are for."""
+
+import xarray as xr
+
+from ehlwave.laws.atlas.kind import Kind
+from ehlwave.laws.atlas.stored import committee_of, errors_of
+
+
+class Networks:
+    """Networks of films, waves and their errors.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        As :func:`ehlwave.laws.atlas.stored.read_stored` reads it.
+    kind : Kind
+        Of its contacts.
+    """
+
+    def __init__(self, data: xr.Dataset, kind: Kind) -> None:
+        """Take the networks."""
+        self.data = data
+        self.kind = kind
+        self.films = committee_of(data, "films")
+        """Return the films that the kind names, by the coordinates of contacts."""
+        self.waves = committee_of(data, "waves")
+        """Numbers of waves, by their coordinates after those of their contacts."""
+        self.film_errors = errors_of(data, "film_errors")
+        """Errors of what is known of contacts, by their coordinates."""
+        self.errors = errors_of(data, "wave_errors")
+        """Errors of film responses, shape (n, 1), by the same as their numbers."""
+
+    @property
+    def name(self) -> str:
+        """Return its description and origin.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> ehlwave.load_atlas().name.split("(")[0]
+        'atlas of 6912 responses of 768 contacts '
+        """
+        data = self.data
+        return (
+            f"atlas of {data.attrs['responses']} responses of {data.attrs['contacts']} contacts "
+            f"({data.attrs['program']}, {data.attrs['checksum'][:8]})"
+        )

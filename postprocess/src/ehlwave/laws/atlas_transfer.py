@@ -1,0 +1,275 @@
+"""Transfer from the atlas: amplitude and phase, and their errors, of each harmonic component."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import RectBivariateSpline
+
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.formula import recommended_ratio
+from ehlwave.contact.line_contact import ROLLS_ALONE
+from ehlwave.errors import RangeError
+from ehlwave.laws.answers import Film
+from ehlwave.laws.atlas.atlas import Atlas, atlas_for, chart_of
+from ehlwave.laws.atlas.chart import Chart
+from ehlwave.laws.atlas.ranges import WAVE_RANGE
+from ehlwave.laws.transfer import Waves
+
+Complex = NDArray[np.complex128]
+
+WAVES, ANGLES = 72, 31
+"""Of the chart that is interpolated for maps, over ln wavelength and angle."""
+
+REFINED = 4
+"""Times as fine is the chart made by splines, so that lines between its points do for millions of
+waves: they are off the splines by less than 1e-4."""
+
+SHORT_WAVE_POWER = 1.5
+"""Waves below the atlas: 1 - response falls with this power of the wavelength, as it does above."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """Responses to some waves, arrays of their shape."""
+
+    ratio: Complex
+    error: Waves
+    rise: Waves
+    is_covered: NDArray[np.bool_]
+
+
+class AtlasTransfer:
+    """Film responses of the atlas for a contact that rolls, or slides in a Ree-Eyring oil.
+
+    Waves shorter than the atlas have nearly their whole amplitude: 1 - T continues with the power
+    3/2 of the wavelength. Longer ones hardly any: T falls as the recommended formula does. Of both
+    the error counts as large as what is continued, so that they stand in the error of the whole.
+    """
+
+    def __init__(self, conditions: Conditions, atlas: Atlas | None = None) -> None:
+        """Draw the chart of the contact.
+
+        Raises RangeError (a ValueError) if the contact lies outside the atlas, slides in an oil
+        that is not Ree-Eyring's, or the oil has laws of viscosity or density that the atlas does
+        not.
+        """
+        if conditions.is_line and not conditions.has_atlas:
+            raise RangeError(ROLLS_ALONE)
+        if not conditions.has_atlas:
+            raise RangeError(
+                f"slip_parameter = {conditions.slip_parameter:g}: of contacts that slide the atlas "
+                "holds those with a Ree-Eyring oil, eyring_stress_pa; name the law of the two "
+                "waves, or give a harmonic table of this slip"
+            )
+        if conditions.oil.other_laws:
+            raise RangeError(_of_other_laws(conditions))
+        self._conditions = conditions
+        self._atlas = atlas_for(conditions, atlas)
+        self._chart: Chart = chart_of(conditions, atlas)
+        self._lookups: dict[str, Callable[[Waves, Waves], Waves]] = {}
+        """Film, real and imaginary, its error, and the rise of the mean film."""
+        self._asked: tuple[Waves, Waves] | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled: what was looked up is looked up anew."""
+        kept = {name: value for name, value in vars(self).items() if name != "_found"}
+        return kept | {"_lookups": {}, "_asked": None}
+
+    @property
+    def name(self) -> str:
+        """Return its description."""
+        return self._atlas.name
+
+    @property
+    def covers_all(self) -> bool:
+        """The atlas ends somewhere."""
+        return False
+
+    @property
+    def outside_reason(self) -> str:
+        """Why components are not covered."""
+        low, high = WAVE_RANGE
+        return f"of wavelengths outside {low:g} to {high:g} a: continued, counted in the error"
+
+    def ratio(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
+        """Return the transfer for waves per metre along x (any sign) and y; 0 for the mean."""
+        return self._find(per_length_x, per_length_y).ratio.copy()
+
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
+        """Return the error of the transfer, absolute, in units of the amplitude before."""
+        return self._find(per_length_x, per_length_y).error
+
+    def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
+        """Return what waves add to the mean film, to second order.
+
+        Shorter waves than the atlas' add as much as its shortest; longer ones less, as the square
+        of their response.
+        """
+        return self._find(per_length_x, per_length_y).rise
+
+    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
+        """Return whether a wave lies within the wavelengths of the atlas."""
+        return self._find(per_length_x, per_length_y).is_covered
+
+    def _find(self, per_length_x: Waves, per_length_y: Waves) -> Found:
+        """Return everything at once; what was found for the last arrays is still known."""
+        asked = per_length_x, per_length_y
+        if not (self._asked and all(a is b for a, b in zip(asked, self._asked, strict=True))):
+            self._found = self._evaluate(*asked)
+            self._asked = asked
+        return self._found
+
+    def _evaluate(self, per_length_x: Waves, per_length_y: Waves) -> Found:
+        wave, angle, shape = self._polar(per_length_x, per_length_y)
+        inside = np.clip(wave, *WAVE_RANGE)
+        real, imaginary, error, rise = self._lookup(angle)(np.log(inside), angle)
+        fall = self._fall(wave, inside, angle)
+        ratio = np.empty(wave.shape, complex)
+        short = wave < inside
+        kept = np.ones(wave.shape)
+        kept[short] = (wave[short] / inside[short]) ** SHORT_WAVE_POWER
+        ratio.real = fall * (1 - (1 - real) * kept)
+        ratio.imag = fall * imaginary * kept
+        error = np.maximum(error, 0)
+        error[short] += np.abs(1 - ratio[short])
+        long = wave > inside
+        error[long] += np.abs(ratio[long])
+        error[~np.isfinite(wave)] = 0  # the mean is not deformed
+        ratio = ratio.reshape(shape)
+        ratio.imag *= np.sign(np.broadcast_to(per_length_x, shape))
+        return Found(
+            ratio,
+            error.reshape(shape),
+            (rise * fall**2).reshape(shape),
+            ((wave >= WAVE_RANGE[0]) & (wave <= WAVE_RANGE[1])).reshape(shape),
+        )
+
+    def _polar(
+        self, per_length_x: Waves, per_length_y: Waves
+    ) -> tuple[Waves, Waves, tuple[int, ...]]:
+        """Return wavelengths over a and angles, degrees, of flattened waves, and their shape."""
+        qx, qy = np.broadcast_arrays(np.abs(per_length_x), np.abs(per_length_y))
+        with np.errstate(divide="ignore"):
+            wave = 1 / (np.hypot(qx, qy) * self._conditions.semi_axis_a_m)
+        wave, angle = wave.ravel(), np.degrees(np.arctan2(qy, qx)).ravel()
+        angle[~np.isfinite(wave)] = angle[-1]  # the mean has no direction
+        return wave, angle, qx.shape
+
+    def _fall(self, wave: Waves, inside: Waves, angle: Waves) -> Waves:
+        """Return by how much less than at the end of the atlas is left of longer waves."""
+        fall, long = np.ones(wave.shape), wave > inside
+        if np.any(long):
+            c = self._conditions
+            theta = np.radians(angle[long])
+            shares = np.cos(theta), np.sin(theta)
+            at, end = (
+                recommended_ratio(
+                    c.m,
+                    c.l,
+                    c.slender_gamma,
+                    *(np.where(s > 1e-9, w / np.maximum(s, 1e-9), 0) for s in shares),
+                )
+                for w in (np.minimum(wave[long], 1e9), inside[long])
+            )
+            fall[long] = np.where(np.isfinite(wave[long]), at / end, 0)
+        return fall
+
+    def _lookup(self, angle: Waves) -> Callable[[Waves, Waves], Waves]:
+        """Return the parts of the chart over ln wavelength and angle, or along one angle."""
+        one = float(angle[-1]) if np.all(angle == angle[-1]) else None
+        key = "map" if one is None else f"{one:g}"
+        if key not in self._lookups:
+            logs = np.linspace(*np.log(WAVE_RANGE), WAVES)
+            angles = np.linspace(0, 90, ANGLES) if one is None else np.array([one])
+            waves = np.exp(logs)[:, None], angles[None, :]
+            found = self._chart.responses(*waves)
+            parts = [found.film.real, found.film.imag, found.error, found.rise]
+            if one is None:
+                self._lookups[key] = _between(logs, angles, parts)
+            else:
+                self._lookups[key] = lambda log, _: np.stack(
+                    [np.interp(log, logs, part[:, 0]) for part in parts]
+                )
+        return self._lookups[key]
+
+
+def _between(logs: Waves, angles: Waves, parts: list[Waves]) -> Callable[[Waves, Waves], Waves]:
+    """Return interpolation in tables over ln wavelength (rows) and angle, both evenly spaced."""
+    rows, columns = (np.linspace(a[0], a[-1], REFINED * (a.size - 1) + 1) for a in (logs, angles))
+    tables = [RectBivariateSpline(logs, angles, part)(rows, columns) for part in parts]
+    corners = np.stack(tables, axis=-1).reshape(-1, len(parts))
+
+    def interpolate(log: Waves, angle: Waves) -> Waves:
+        u, v = (log - rows[0]) / (rows[1] - rows[0]), angle / (columns[1] - columns[0])
+        i = np.clip(u.astype(np.intp), 0, rows.size - 2)
+        j = np.clip(v.astype(np.intp), 0, columns.size - 2)
+        first = i * columns.size + j
+        found = [corners.take(first + k, axis=0) for k in (0, 1, columns.size, columns.size + 1)]
+        u, v = (u - i)[:, None], (v - j)[:, None]
+        for low, high in (found[:2], found[2:]):
+            high -= low
+            high *= v
+            low += high
+        found[2] -= found[0]
+        found[2] *= u
+        found[0] += found[2]
+        return np.asarray(found[0].T)
+
+    return interpolate
+
+
+def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Conditions:
+    """Return conditions with the atlas' central film in place of that of a formula.
+
+    A given film stays; so does the formula's where there are no lengths.
+
+    Raises RangeError outside the atlas, and of oils that it does not hold.
+    """
+    if _keeps_film(conditions):
+        return conditions
+    if conditions.oil.other_laws:
+        raise RangeError(_of_other_laws(conditions))
+    chart = chart_of(replace(conditions, slip_parameter=conditions.film_slip), atlas)
+    film = chart.film()
+    error = film.central_error + conditions.oil_error + conditions.starvation_error
+    source = f"atlas, within {100 * error:.2g} %"
+    if conditions.is_starved:
+        law = f"R = {conditions.film_ratio:.3g} of the law of starved contacts"
+        source = f"atlas times {law}, within {100 * error:.2g} %"
+    if chart.film_loss and chart.film_source == chart.source:
+        thins = f"up to {100 * chart.film_loss:.2g} % too thick as this one thins"
+        source = f"atlas of Newtonian oils, {thins}, within {100 * error:.2g} %"
+    return replace(
+        conditions,
+        central_film_m=film.central_moes * conditions.metres_per_moes * conditions.film_ratio,
+        film_source=source,
+        central_film_error=error,
+    )
+
+
+def with_heated_film(conditions: Conditions, film: Film) -> Conditions:
+    """Return conditions with a film with heat, :meth:`ehlwave.Contact.film`; a given one stays."""
+    if _keeps_film(conditions):
+        return conditions
+    return replace(
+        conditions,
+        central_film_m=film.central_m,
+        film_source=f"atlas times the laws of heat, within {100 * film.central_error:.2g} %",
+        central_film_error=film.central_error,
+    )
+
+
+def _of_other_laws(conditions: Conditions) -> str:
+    """Return why an oil is not that of the atlas."""
+    return (
+        f"{', '.join(conditions.oil.other_laws)}: the atlas holds Roelands' oil without a limit of "
+        "the stress; give a harmonic table, or compute the contact with ehlwave-case"
+    )
+
+
+def _keeps_film(conditions: Conditions) -> bool:
+    """Return whether the film is given, or there are no lengths."""
+    return conditions.metres_per_moes is None or conditions.has_given_film

@@ -1,0 +1,60 @@
+"""What errors of the oil's data make of friction, with heat and without.
+
+Friction goes nearly as the viscosity under the contact's pressure, which grows exponentially with
+alpha: it is computed anew, by the laws of :mod:`ehlwave.laws.heat_laws`, at the ends of all errors.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.data_errors import DATA_ERRORS, film_change
+from ehlwave.laws.sheared_film import Sliding
+
+
+def error_by_data(
+    conditions: Conditions,
+    case: Sliding,
+    friction: Callable[[Sliding, float], float],
+    conductivity_error: float = 0.0,
+) -> float:
+    """Return by how much friction changes, relative, where the oil's data change by their errors.
+
+    Those of viscosity, pressure-viscosity coefficient and conductivity, each at both ends; what
+    raises friction multiplies, and what lowers it does. The film changes as by the film formula.
+
+    Parameters
+    ----------
+    conditions : Conditions
+        With the errors of the first two, as they were given.
+    case : Sliding
+        The film.
+    friction : callable
+        Friction coefficient of a film whose oil has a conductivity times the second argument.
+    conductivity_error : float
+        Relative.
+    """
+    given = dict(conditions.given)
+    errors = [float(given.get(key, 0.0)) for key in DATA_ERRORS] + [conductivity_error]
+    if not any(errors):
+        return 0.0
+    start, most, least = friction(case, 1.0), 1.0, 1.0
+    for place, error in enumerate(errors):
+        if error:
+            ends = []
+            for end in (1 - error, 1 + error):
+                eta, alpha, k = (end if place == i else 1.0 for i in range(len(errors)))
+                ends.append(friction(_changed(conditions, case, eta, alpha), k) / start)
+            most, least = most * max(1.0, *ends), least * min(1.0, *ends)
+    return max(most - 1, 1 - least)
+
+
+def _changed(conditions: Conditions, case: Sliding, eta: float, alpha: float) -> Sliding:
+    """Return a film whose oil has eta0 and alpha times factors."""
+    c = conditions
+    return replace(
+        case,
+        viscosity_pa_s=case.viscosity_pa_s * eta,
+        pressure_viscosity_per_pa=case.pressure_viscosity_per_pa * alpha,
+        film_m=case.film_m * film_change(c.m, c.l, c.d, eta, alpha),
+    )

@@ -1,0 +1,1 @@
+"""The programs ``ehlwave-case`` and ``ehlwave-sweep`` from Python."""

@@ -1,0 +1,1 @@
+"""Results of the programs: reading, tables, figures, fits, export."""

@@ -1,0 +1,248 @@
+"""Pictures of one case: what a bearing engineer looks at, in um, GPa and us."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+from numpy.typing import NDArray
+
+from ehlwave.inputs.effective_input import keys_of_input
+from ehlwave.results.case_file import central_film, check_field, number, positive
+from ehlwave.results.figures import COLOURS
+from ehlwave.results.scales_of_figures import aspect_note, readable_aspect
+
+Floats = NDArray[np.float64]
+
+REACH = 1.5
+"""Largest distance from the centre that is shown, in units of a and b."""
+
+FILM_SHOWN = 2.0
+"""Thickest film that is shown, over the smooth central one."""
+
+RISES = {
+    "rise_mid_film_k": "half-way across",
+    "rise_wall_1_k": "surface 1",
+    "rise_wall_2_k": "surface 2",
+}
+"""Rises of the temperature along rolling, of a case with heat."""
+
+_STYLE = {"font.size": 8.5, "axes.labelsize": 9, "axes.titlesize": 9.5, "legend.fontsize": 8}
+
+
+@dataclass(frozen=True)
+class Units:
+    """Factors and names of the units of a picture.
+
+    In um, GPa and us where the case has dimensions; otherwise 1, in units of a, b, c, ph.
+    """
+
+    x: float
+    y: float
+    film: float
+    pressure: float
+    time: float | None
+    names: tuple[str, str, str, str, str]
+
+
+def units_of(case: xr.Dataset) -> Units:
+    """Return the units of a case read by :func:`ehlwave.read_case`."""
+    if "length_a_m" not in case:
+        return Units(1, 1, 1, 1, 1, ("$x/a$", "$y/b$", "$h/c$", "$p/p_h$", "$T$"))
+    a, c = (number(case, name) * 1e6 for name in ("length_a_m", "length_c_m"))
+    b = number(case, "length_b_m") * 1e6 if "length_b_m" in case else a
+    speed = _given(case, "mean_speed_m_per_s")
+    time = None if speed is None else a / positive(speed, "mean_speed_m_per_s", case)
+    names = (r"$x$ [$\mu$m]", r"$y$ [$\mu$m]", r"$h$ [$\mu$m]", "$p$ [GPa]", r"$t$ [$\mu$s]")
+    return Units(a, b, c, number(case, "hertz_pressure_pa") * 1e-9, time, names)
+
+
+def case_figure(case: xr.Dataset) -> Figure:
+    """Draw film and pressure over the contact and along its midplanes, the central film in time.
+
+    Parameters
+    ----------
+    case : xarray.Dataset
+        From :func:`ehlwave.read_case`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        In um, GPa and us where the case has dimensions. The history has the undeformed pattern
+        besides: the film that rigid waves of the same Ai would leave. A line contact has no maps.
+        With heat there are rises of the temperature besides.
+    """
+    units = units_of(case)
+    is_line = case["y"].size == 1
+    has_heat = next(iter(RISES)) in case
+    if has_heat:
+        for name in RISES:
+            check_field(case, name, ("y", "x"))
+    has_time = case["time"].size > 1 if "time" in case else False
+    if has_time:
+        check_field(case, "time", ("time",))
+        check_field(case, "film_at_centre", ("time",))
+    with rc_context(_STYLE):
+        if is_line:
+            size = (11.0 if has_heat else 7.6, 3.0)
+            figure = Figure(figsize=size, layout=ConstrainedLayoutEngine(w_pad=0.15))
+            lengthwise, *more, history = figure.subplots(1, 3 if has_heat else 2)
+        else:
+            size = (13.6 if has_heat else 10.6, 5.6)
+            figure = Figure(figsize=size, layout=ConstrainedLayoutEngine(w_pad=0.15))
+            upper, lower = figure.subplots(2, 4 if has_heat else 3)
+            (film_map, pressure_map, history), (lengthwise, crosswise, spare) = upper[:3], lower[:3]
+            more = [lower[3]] if has_heat else []
+            if has_heat:
+                _draw_map(upper[3], case["rise_mid_film_k"], units, 1, "inferno")
+                upper[3].set_title("rise half-way across the film [K]")
+            central = central_film(case)
+            _draw_map(film_map, case["film"].clip(max=FILM_SHOWN * central), units, units.film)
+            film_map.set_title(f"film, {units.names[2]}")
+            _draw_map(pressure_map, case["pressure"], units, units.pressure, "magma")
+            pressure_map.set_title(f"pressure, {units.names[3]}")
+            _draw_midplane(crosswise, case, units, "y")
+            _draw_contours(spare, case, units)
+        _draw_midplane(lengthwise, case, units, "x")
+        for axes in more:
+            _draw_rises(axes, case, units)
+        if has_time:
+            _draw_history(history, case, units)
+        else:
+            history.set_axis_off()
+            history.text(0.5, 0.5, _summary(case, units), ha="center", va="center")
+    return figure
+
+
+def _draw_map(
+    axes: Axes, field: xr.DataArray, units: Units, scale: float, colours: str = "viridis"
+) -> None:
+    mesh = axes.pcolormesh(
+        field["x"] * units.x,
+        field["y"] * units.y,
+        field * scale,
+        cmap=colours,
+        vmin=0,
+        shading="gouraud",
+        rasterized=True,
+    )
+    axes.figure.colorbar(mesh, ax=axes, shrink=0.85)
+    _frame(axes, field, units)
+
+
+def _frame(axes: Axes, field: xr.DataArray, units: Units) -> None:
+    x, y = (
+        scale * np.clip([field[name].min(), field[name].max()], -REACH, REACH)
+        for name, scale in (("x", units.x), ("y", units.y))
+    )
+    sides = float(np.ptp(x)), float(np.ptp(y))
+    axes.set(xlabel=units.names[0], ylabel=units.names[1] + aspect_note(*sides), xlim=x, ylim=y)
+    axes.set_aspect(readable_aspect(*sides))
+
+
+def _draw_contours(axes: Axes, case: xr.Dataset, units: Units) -> None:
+    """Draw films by lines of equal thickness, as an interferogram shows them."""
+    central = central_film(case)
+    film = case["film"] / central
+    x, y = case["x"] * units.x, case["y"] * units.y
+    lines = axes.contour(x, y, film, np.arange(0.2, 2.01, 0.2), cmap="viridis", linewidths=0.8)
+    for label in axes.clabel(lines, lines.levels[::2], fontsize=8, colors="black"):
+        label.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8})
+    _frame(axes, case["film"], units)
+    axes.set_title("film over smooth central film")
+
+
+def _draw_midplane(axes: Axes, case: xr.Dataset, units: Units, along: str) -> None:
+    """Draw film and pressure along a line through the centre, on two axes of their own colours."""
+    across, scale = ("y", units.x) if along == "x" else ("x", units.y)
+    line = case.sel({across: 0}, method="nearest")
+    place = line[along].values * scale
+    axes.plot(place, line["film"].values * units.film, color=COLOURS[0])
+    axes.set(xlabel=units.names[0 if along == "x" else 1])
+    axes.set_ylim(0, FILM_SHOWN * central_film(case) * units.film)
+    axes.set_xlim(*(scale * np.clip([line[along].min(), line[along].max()], -REACH, REACH)))
+    axes.set_ylabel(units.names[2], color=COLOURS[0])
+    right = axes.twinx()
+    right.plot(place, line["pressure"].values * units.pressure, color=COLOURS[1])
+    right.set_ylim(0, 1.15 * float(case["pressure"].max()) * units.pressure)
+    right.set_ylabel(units.names[3], color=COLOURS[1])
+    axes.set_title("along rolling, $y = 0$" if along == "x" else "across, $x = 0$")
+
+
+def _draw_rises(axes: Axes, case: xr.Dataset, units: Units) -> None:
+    """Draw rises of the temperature along the line through the centre."""
+    line = case.sel({"y": 0}, method="nearest")
+    for name, label in RISES.items():
+        axes.plot(line["x"].values * units.x, line[name].values, label=label)
+    axes.set_xlim(*(units.x * np.clip([line["x"].min(), line["x"].max()], -REACH, REACH)))
+    axes.set(xlabel=units.names[0], ylabel="rise [K]", title="temperature, $y = 0$")
+    axes.legend(frameon=False, fontsize=7)
+
+
+def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
+    film = case["film_at_centre"].values * units.film
+    scale = 1 if units.time is None else units.time
+    axes.plot(case["time"].values * scale, film, color=COLOURS[0], label="in the contact")
+    central = central_film(case) * units.film
+    undeformed = undeformed_history(case)
+    low, high = film.min(), film.max()
+    if undeformed is not None:
+        rigid = undeformed * units.film
+        both = _rigid_wave(case, "_2", 1.0) is not None
+        name = "undeformed, both surfaces" if both else "undeformed"
+        axes.plot(case["time"].values * scale, rigid, color="0.6", linewidth=0.9, label=name)
+        low, high = min(low, rigid.min()), max(high, rigid.max())
+    axes.axhline(central, color="black", linewidth=0.6, linestyle=":", label="smooth")
+    axes.set_ylim(low - 0.08 * (high - low), high + 0.55 * (high - low))
+    axes.set(xlabel=units.names[4], ylabel=units.names[2], title="film at the centre in time")
+    axes.margins(x=0)
+    axes.legend(loc="upper left", frameon=False, fontsize=7)
+
+
+def undeformed_history(case: xr.Dataset) -> Floats | None:
+    """Return the film at the centre that rigid waves would leave, in units of c.
+
+    Theory eq. (12) and (13): waves start at the inlet boundary behind a smooth front and move with
+    S, those of surface 2 with 2 - S. None for smooth cases, standing waves and measured surfaces.
+    """
+    central, slip = central_film(case), number(case, "slip_parameter")
+    waves = [_rigid_wave(case, end, speed) for end, speed in (("", slip), ("_2", 2 - slip))]
+    known = [wave for wave in waves if wave is not None]
+    return np.asarray(central * (1 + sum(known))) if known else None
+
+
+def _rigid_wave(case: xr.Dataset, end: str, slip: float) -> Floats | None:
+    """Return the waves of a surface at the centre over the film; None: it has none that move."""
+    given, key = _given(case, f"amplitude_over_film{end}"), f"wavelength_x_over_a{end}"
+    wave = number(case, key) if key in case else 0.0
+    if given is None or not wave > 0 or case.attrs.get(f"orientation{end}") == "none":
+        return None
+    place = -number(case, "domain_x_min") - slip * case["time"].values
+    front = 10.0 ** (-10 * np.minimum(np.maximum(place / wave, 0) ** 2, 30))
+    amplitude = positive(given, f"amplitude_over_film{end}", case)
+    return np.asarray(amplitude * front * np.cos(2 * np.pi * place / wave))
+
+
+def _given(case: xr.Dataset, key: str) -> float | str | None:
+    """Return the value of a key of the input."""
+    return keys_of_input(str(case.attrs.get("effective_input", ""))).get(key)
+
+
+def _summary(case: xr.Dataset, units: Units) -> str:
+    keys = {"M": "load_parameter_m", "L": "lubricant_parameter_l"}
+    others = {"D": "radius_ratio_d", "S": "slip_parameter"}
+    keys |= {letter: key for letter, key in others.items() if key in case}
+    lines = [str(case.attrs.get("status", ""))]
+    lines += [f"${letter}$ = {number(case, key):.5g}" for letter, key in keys.items()]
+    if (oil := _given(case, "oil_over_flooded")) is not None:
+        lines.append(f"$r$ = {positive(oil, 'oil_over_flooded', case):g}")
+    symbol, _, unit = units.names[2].partition(" ")
+    for name, text in (("central_film", "central film"), ("minimum_film", "smallest film")):
+        film = f"{number(case, name) * units.film:.4g} {unit.strip('[]')}".rstrip()
+        lines.append(f"{text}: {symbol} = {film}")
+    if "harmonic_ratio" in case and np.isfinite(case["harmonic_ratio"]):
+        lines.append(f"$A_d/A_i$ of small waves: {number(case, 'harmonic_ratio'):.3f}")
+    return "\n".join(lines)

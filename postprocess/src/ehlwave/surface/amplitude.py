@@ -1,0 +1,80 @@
+"""Up to which amplitude predictions were compared with marches, and what amplitude adds to errors.
+
+Amplitudes are over the film of the smooth contact.
+"""
+
+import math
+
+from ehlwave.contact.conditions import Conditions
+from ehlwave.laws.atlas.atlas import kind_for, thinned_kind
+
+VALIDATED_ROLLING, VALIDATED_SLIDING = 1.5, 0.95
+"""Largest amplitude over film at which predictions were compared with marches of several rough maps
+(``record/lambda``), rolling and under slight slip."""
+
+SLIGHT_SLIP, VALIDATED_FASTER = 0.1, 0.3
+"""Largest deviation of S from 1 of those marches, and the largest amplitude under more slip, of the
+waves of ``scripts/study transients``."""
+
+ROLLING_FACTOR = 0.05
+SLIP_FACTORS = (68.0, 18.0)
+"""Relative change of Ad/Ai over (amplitude/film)^2, and the same over (S - 1)^2: of Newtonian oils
+with S > 1, of others. Those of ``src/case/linear_range.f90``, with which a test compares them."""
+
+ROUNDING = 1e-9
+"""Of S, where S - 1 is compared."""
+
+PROFILE_FACTOR = 0.28
+"""Relative difference of predicted from marched Rq over (amplitude/film)^2: 95 % of the rough maps
+of ``record/lambda`` are within. Most of it are higher harmonics, which Ad/Ai does not show."""
+
+RISE_ERRORS = {
+    "rolling": 0.067,
+    "rolling_wide": 0.108,
+    "sliding": 0.12,
+    "sliding_wide": 0.313,
+    "line": 0.0484,
+    "line_sliding": 0.15,
+    "line_newtonian": 0.242,
+}
+"""Of the rise of the mean film over the film, per (amplitude/film)^2: 95 % of the waves in contacts
+that the networks have not seen (``scripts/study atlas --validate``)."""
+
+LOWEST_WIDTH = 0.39
+"""Of :func:`lowest_film`, over the film (``scripts/study lambda``)."""
+
+LARGEST_RISE = 0.5
+"""Of the film: a larger change in second order says that the series does not hold."""
+
+
+def validated_amplitude(conditions: Conditions) -> float:
+    """Return the largest amplitude over film up to which predictions were compared with marches."""
+    slip = abs(conditions.slip_parameter - 1)
+    if slip == 0:
+        return VALIDATED_ROLLING
+    return VALIDATED_SLIDING if slip <= SLIGHT_SLIP + ROUNDING else VALIDATED_FASTER
+
+
+def expected_nonlinearity(conditions: Conditions, amplitude: float) -> float:
+    """Return the relative error of the deformed Rq that this amplitude over film makes."""
+    slip = conditions.slip_parameter
+    is_worst = conditions.oil.name == "Newtonian" and slip > 1
+    factor = ROLLING_FACTOR + SLIP_FACTORS[0 if is_worst else 1] * (slip - 1) ** 2
+    return max(factor, PROFILE_FACTOR) * amplitude**2
+
+
+def rise_error(conditions: Conditions, amplitude: float) -> float:
+    """Return the error of the rise of the mean film, over the film."""
+    kind = "sliding"
+    if conditions.has_atlas:
+        kind = (thinned_kind(conditions) or kind_for(conditions)).name
+    return RISE_ERRORS[kind] * amplitude**2
+
+
+def lowest_film(linear: float, width: float = LOWEST_WIDTH) -> float:
+    """Return the lowest film from the linear prediction of it, both over the smooth film.
+
+    High points are flattened more than by linear responses: the film bends away from 0.
+    """
+    bend = math.log1p(math.exp(-abs(linear) / width)) + max(0.0, -linear) / width
+    return linear + width * (bend - math.log1p(math.exp(-1 / width)))

@@ -1,0 +1,246 @@
+"""Read measured surfaces: CSV, NumPy, HDF5, and the formats of instruments."""
+
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ehlwave.choices import AXES, DECIMALS, Axis, Decimal, chosen
+from ehlwave.errors import SurfaceError, printable
+from ehlwave.quantities import is_quantity, number
+from ehlwave.surface.raw_surface import (
+    RawSurface,
+    SurfaceSource,
+    is_topography,
+    raw_array,
+    raw_topography,
+)
+from ehlwave.surface.surface import (
+    Surface,
+    filled,
+    map_surface,
+    trace_surface,
+    uniform_step,
+)
+from ehlwave.surface.surface_files import numbers_of, raw_file
+from ehlwave.surface.units import METRES, metres
+
+LARGEST_STEP_DIFFERENCE = 1e-3
+"""Relative, of a step that is given and that of the file."""
+
+
+@dataclass(frozen=True)
+class ReadOptions:
+    """Units and steps that a file does not state.
+
+    Attributes
+    ----------
+    length_unit, height_unit : str or None
+        Units of positions and steps, and of heights; override the file's.
+    step, step_across : float or None
+        Sampling steps along the first and second axis of the file, in ``length_unit``, for files
+        without positions; ``step_across`` is ``step`` if absent.
+    rolling_axis : "x" or "y"
+        Of the surface in the file. The rows of a map in a file are lines of constant y: ``x`` runs
+        along a row. A trace along rolling is ``x``, one across it ``y``.
+    fill_missing : bool
+        Replace missing heights by their nearest neighbours, instead of refusing the file.
+    decimal : "point", "comma" or None
+        What decimals of a text file begin with, where the file does not decide it.
+    """
+
+    length_unit: str | None = None
+    height_unit: str | None = None
+    step: float | None = None
+    step_across: float | None = None
+    rolling_axis: Axis = "x"
+    fill_missing: bool = False
+    decimal: Decimal | None = None
+
+    def __post_init__(self) -> None:
+        """Check the words."""
+        chosen(self.rolling_axis, "rolling_axis", AXES)
+        if self.decimal is not None:
+            chosen(self.decimal, "decimal", DECIMALS)
+
+
+def read_surface(path: SurfaceSource | Surface, options: ReadOptions | None = None) -> Surface:
+    """Read a trace or a map.
+
+    Parameters
+    ----------
+    path : path, array, topography or Surface
+        ``.csv``, ``.txt``: numbers separated by commas, semicolons, tabs or blanks; two columns
+        (position, height), one column of heights, or a matrix of heights. ``.npy``: one or two
+        dimensions; ``.npz`` and HDF5: ``height`` and, if there, positions ``x`` and ``y``, in HDF5
+        with an attribute ``units``. Anything else (SDF, SUR, PLU, X3P, ...) is read by the package
+        SurfaceTopography when that is installed. Or an array, taken as one in a ``.npy`` file but
+        in metres by default, with the step in `options`; an object of SurfaceTopography; or a
+        Surface, which is returned as it is and takes no options.
+    options : ReadOptions, optional
+        What the file does not say.
+
+    Returns
+    -------
+    Surface
+        In metres, rolling direction first.
+
+    Raises
+    ------
+    SurfaceError
+        If the file cannot be read, a unit or step is missing, steps are not uniform, or heights
+        are missing.
+
+    Examples
+    --------
+    A trace of two columns, position in mm and height in um:
+
+    >>> import numpy as np
+    >>> import ehlwave
+    >>> x = np.arange(0, 2, 0.002)
+    >>> height = 0.05 * np.cos(2 * np.pi * x / 0.1)
+    >>> np.savetxt("trace.csv", np.column_stack([x, height]), delimiter=",")
+    >>> units = ehlwave.surface.ReadOptions(length_unit="mm", height_unit="um")
+    >>> trace = ehlwave.read_surface("trace.csv", units)
+    >>> trace.is_trace, trace.height.shape
+    (True, (1000, 1))
+
+    The same from an array:
+
+    >>> units = ehlwave.surface.ReadOptions(length_unit="mm", height_unit="um", step=0.002)
+    >>> again = ehlwave.read_surface(height, units)
+    >>> bool(np.allclose(again.height, trace.height, rtol=0, atol=1e-15))
+    True
+    """
+    said = options or ReadOptions()
+    if isinstance(path, Surface):
+        _refuse_options(path, said)
+        return path
+    file, found = _found(path, said)
+    raw = _without_single_line(found)
+    if raw.height.ndim not in (1, 2):
+        raise SurfaceError(f"{file}: heights have {raw.height.ndim} dimensions, not one or two")
+    height_metres = _unit(
+        file, _first(said.height_unit, raw.height_unit), "heights", "height_unit="
+    )
+    # One copy, and none of a large single-precision map's size in double precision.
+    kind = raw.height.dtype if raw.height.dtype == np.float32 else np.float64
+    height = np.array(raw.height, dtype=kind)
+    height *= height_metres
+    if said.fill_missing:
+        try:
+            height = filled(height)
+        except SurfaceError as error:
+            raise SurfaceError(f"{file}: {error}") from None
+    along, across = _steps(file, raw, said)
+    name = printable(file.name)
+    if height.ndim == 1:
+        axis = "y" if raw.is_across else said.rolling_axis
+        return trace_surface(height, along, axis, name)
+    if said.rolling_axis == "x":
+        return map_surface(height.T, along, across, name)
+    return map_surface(height, across, along, name)
+
+
+def _refuse_options(surface: Surface, options: ReadOptions) -> None:
+    """Raise SurfaceError if there are options for a surface that has units, steps and axes."""
+    for field in fields(options):
+        if getattr(options, field.name) is not field.default:
+            raise SurfaceError(
+                f"{surface.name}: {field.name}= is for files and arrays, and a Surface has its "
+                f"own: remove {field.name}=, or give the heights as an array"
+            )
+
+
+def _found(source: SurfaceSource, options: ReadOptions) -> tuple[Path, RawSurface]:
+    """Return what a source holds, and its name for messages."""
+    if isinstance(source, (str, Path)):
+        return Path(source), raw_file(Path(source), options.decimal)
+    if is_topography(source):
+        place = Path(str(getattr(source, "info", {}).get("name", "topography")))
+        return place, raw_topography(source, place)
+    place = Path("array")
+    return place, raw_array(np.ma.asarray(source), place)
+
+
+def _without_single_line(raw: RawSurface) -> RawSurface:
+    """Return a map of one row or one column as the trace it is."""
+    if raw.height.ndim != 2 or 1 not in raw.height.shape:
+        return raw
+    if raw.height.shape[0] == 1:
+        return replace(raw, height=raw.height.ravel(), y=None)
+    return replace(
+        raw, height=raw.height.ravel(), x=raw.y, y=None, step=raw.step_across, is_across=True
+    )
+
+
+def _steps(file: Path, raw: RawSurface, options: ReadOptions) -> tuple[float, float]:
+    """Return the steps along x and y of the file, m."""
+    length = _unit(file, _first(options.length_unit, raw.length_unit), "lengths", "length_unit=")
+    # A unit that the user gives is that of positions too, not of a step stated with its own.
+    stated = (
+        METRES.get(raw.length_unit or "", length) / length
+        if options.length_unit is not None
+        else 1.0
+    )
+    step, across = (None if own is None else own * stated for own in (raw.step, raw.step_across))
+    if raw.x is not None:
+        step = uniform_step(_positions(file, raw.x, raw.height.shape[-1], "x"), f"{file}: x")
+    if raw.y is not None and raw.height.ndim == 2:
+        across = uniform_step(_positions(file, raw.y, raw.height.shape[0], "y"), f"{file}: y")
+    said = _said(file, "step", options.step, length)
+    said_across = _said(file, "step_across", options.step_across, length)
+    if raw.height.ndim == 1 and said_across is not None:
+        if not raw.is_across:
+            raise SurfaceError(
+                f"{file}: step_across={options.step_across} is of a map, and this is a trace: "
+                "remove it"
+            )
+        said, said_across = said_across, None
+    step = _agreed(file, "step=", said, step)
+    across = _agreed(file, "step_across=", said_across, across)
+    if step is None:
+        hint = "; commas were taken as decimal ones" if raw.has_decimal_commas else ""
+        raise SurfaceError(f"{file}: has no positions: give the sampling step by step={hint}")
+    return step * length, (step if across is None else across) * length
+
+
+def _said(file: Path, name: str, step: Any, length: float) -> float | None:  # noqa: ANN401
+    """Return a step that the user says, in the unit of lengths, m, where it has none itself."""
+    if is_quantity(step):
+        return number(step, f"{name}_m", str(file)) / length
+    return None if step is None else number(step, name, str(file))
+
+
+def _agreed(file: Path, option: str, said: float | None, own: float | None) -> float | None:
+    """Return a step that the user or the file says; both only where they agree."""
+    if said is None or own is None:
+        return own if said is None else said
+    if not abs(said - own) <= LARGEST_STEP_DIFFERENCE * abs(own):
+        raise SurfaceError(
+            f"{file}: {option}{said:g} contradicts the file, whose step is {own:.6g}: leave it "
+            "out, or remove the positions from the file"
+        )
+    return own
+
+
+def _positions(file: Path, positions: np.ndarray, count: int, name: str) -> np.ndarray:
+    values = numbers_of(file, positions).astype(np.float64)
+    if values.shape != (count,):
+        raise SurfaceError(
+            f"{file}: {values.size} positions along {name} for {count} heights; they must match"
+        )
+    return values
+
+
+def _first(said: str | None, own: str | None) -> str | None:
+    return own if said is None else said
+
+
+def _unit(file: Path, unit: str | None, what: str, option: str) -> float:
+    if unit is None:
+        raise SurfaceError(
+            f"{file}: does not say in which unit its {what} are: set {option} (m, mm, um, nm)"
+        )
+    return metres(unit, str(file))

@@ -1,0 +1,176 @@
+"""Roughness and film thickness, before and after, their errors, and what makes them doubtful."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ehlwave.contact.conditions import Conditions
+from ehlwave.surface.amplitude import (
+    LARGEST_RISE,
+    expected_nonlinearity,
+    lowest_film,
+    rise_error,
+    validated_amplitude,
+)
+from ehlwave.surface.surface import Heights
+
+LINEAR_LIMIT = 0.3
+"""Amplitude over film above which a linear prediction is a first estimate."""
+
+
+@dataclass(frozen=True)
+class FilmStatistics:
+    """Lengths in m. Film thicknesses and ratios are None when the smooth film is unknown."""
+
+    rq_before_m: float
+    rq_after_m: float
+    """`rq_before_m`, `rq_after_m`: root mean square roughness about the mean."""
+    rz_before_m: float
+    rz_after_m: float
+    """`rz_before_m`, `rz_after_m`: from the lowest to the highest point."""
+    mean_film_m: float | None = None
+    """Of the rough contact's centre: the smooth central film and `mean_rise_m`, where it is
+    used."""
+    mean_rise_m: float | None = None
+    """What the roughness adds to the mean film, to second order. None: the transfer has no rises,
+    or the amplitude is above those that rises were compared with."""
+    minimum_film_m: float | None = None
+    """At the highest deformed point, by :func:`ehlwave.surface.amplitude.lowest_film`: marches have
+    more there than the mean film less that point. None where that is not above 0."""
+    surfaces_touch: bool | None = None
+    """Whether it is not. Marches then touch somewhere in the contact, if not at its centre."""
+    lambda_ratio_before: float | None = None
+    lambda_ratio_after: float | None = None
+    """`lambda_ratio_before`, `lambda_ratio_after`: mean film over Rq before (the usual ratio) and
+    after (what is there in the contact)."""
+    lambda_errors: dict[str, float] | None = None
+    """Relative errors of `lambda_ratio_after` by ``"film"``, the smooth one, ``"responses"``, the
+    linear ones, ``"amplitude"``, what is not linear, and ``"rise"``. A rise that is not used counts
+    in full. None: the transfer has no errors."""
+    lambda_error: float | None = None
+    """Their sum."""
+    amplitude_over_film: float | None = None
+    """sqrt(2) Rq before over the smooth film: the amplitude of a cosine of the same Rq."""
+    extrapolated: bool | None = None
+    """Whether that is above the amplitudes that predictions were compared with."""
+
+
+@dataclass(frozen=True)
+class Components:
+    """Statistics of the sum of all harmonic components."""
+
+    rise: float | None = None
+    """(Mean film less smooth film) times the film, over Rq squared; None: not known."""
+    error: float | None = None
+    """Root mean square error of the deformed heights over Rq before; None: not known."""
+
+
+def film_statistics(
+    before: Heights, after: Heights, conditions: Conditions, known: Components
+) -> FilmStatistics:
+    """Return the statistics of a surface before and after, by the film of the conditions."""
+    rq_before, rq_after = _rms(before), _rms(after)
+    heights = {
+        "rq_before_m": rq_before,
+        "rq_after_m": rq_after,
+        "rz_before_m": float(before.max() - before.min()),
+        "rz_after_m": float(after.max() - after.min()),
+    }
+    film = conditions.central_film_m
+    if film is None:
+        return FilmStatistics(**heights)
+    amplitude = math.sqrt(2) * rq_before / film
+    rise = None if known.rise is None else float(known.rise * (rq_before / film) ** 2)
+    extrapolated = amplitude > validated_amplitude(conditions)
+    is_used = rise is not None and not extrapolated and abs(rise) <= LARGEST_RISE
+    mean_film = film * (1 + rise) if is_used else film
+    least = float(mean_film - after.max()) / film
+    errors = None
+    if known.error is not None and conditions.central_film_error is not None:
+        unused = 0.0 if rise is None or is_used else abs(rise)
+        errors = {
+            "film": conditions.central_film_error,
+            "responses": _quotient(known.error * rq_before, rq_after),
+            "amplitude": expected_nonlinearity(conditions, amplitude),
+            "rise": (rise_error(conditions, amplitude) + unused) * film / mean_film,
+        }
+    return FilmStatistics(
+        **heights,
+        mean_film_m=mean_film,
+        mean_rise_m=mean_film - film if is_used else None,
+        minimum_film_m=lowest_film(least) * film if least > 0 else None,
+        surfaces_touch=least <= 0,
+        lambda_ratio_before=_quotient(mean_film, rq_before),
+        lambda_ratio_after=_quotient(mean_film, rq_after),
+        lambda_errors=errors,
+        lambda_error=None if errors is None else sum(errors.values()),
+        amplitude_over_film=amplitude,
+        extrapolated=extrapolated,
+    )
+
+
+def doubts_of(statistics: FilmStatistics, conditions: Conditions) -> list[str]:
+    """Return why numbers of a prediction are extrapolated, or not there."""
+    found = []
+    if statistics.extrapolated:
+        limit = validated_amplitude(conditions)
+        found.append(
+            f"extrapolated: the amplitude, sqrt(2) Rq, is {statistics.amplitude_over_film:.2g} of "
+            f"the film, above {limit:g}, the largest that predictions were compared with; the mean "
+            "film is the smooth one, without its rise by the roughness"
+        )
+    if statistics.surfaces_touch:
+        found.append(
+            "the surfaces touch: the highest deformed point is above the mean film, so that there "
+            "is no smallest film; how they touch the prediction does not describe"
+        )
+    return found
+
+
+def warnings_of(
+    statistics: FilmStatistics, conditions: Conditions, is_for_rolling: bool
+) -> list[str]:
+    """Return what the reader of a prediction should know before believing it.
+
+    `is_for_rolling`: the transfer is one of pure rolling.
+    """
+    found = []
+    slip = conditions.slip_parameter
+    if slip != 1 and is_for_rolling:
+        found.append(
+            f"slip is present (S = {slip:g}): the formula was made for pure rolling and judges "
+            "none of the components; with sliding the roughness is usually flattened more"
+        )
+    if statistics.amplitude_over_film is None:
+        found.append(
+            "the film thickness is unknown: give central_film_m, or radius_x_m with M, L and D"
+        )
+        return found
+    laws = conditions.oil.other_laws
+    if laws and conditions.central_film_error is None:
+        found.append(
+            f"{', '.join(laws)}: the film is that of a formula for Roelands' oil without a limit "
+            "of the stress, and its error is not known: give central_film_m"
+        )
+    ratio = statistics.amplitude_over_film
+    if ratio > LINEAR_LIMIT and not statistics.extrapolated:
+        found.append(
+            f"the amplitude, sqrt(2) Rq, is {ratio:.2g} of the film, above {LINEAR_LIMIT}: the "
+            "prediction is linear in the amplitude and is only a first estimate here"
+        )
+    return found + doubts_of(statistics, conditions)
+
+
+def _rms(height: Heights) -> float:
+    """Return the root mean square about the mean, in double precision without a copy."""
+    mean = float(np.mean(height, dtype=np.float64))
+    total = sum(
+        float(np.sum(np.square(row - height.dtype.type(mean)), dtype=np.float64))
+        for row in np.array_split(height, max(1, height.size // 2**20))
+    )
+    return math.sqrt(total / height.size)
+
+
+def _quotient(numerator: float, denominator: float) -> float:
+    return numerator / denominator if denominator > 0 else math.inf
