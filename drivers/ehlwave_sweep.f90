@@ -4,9 +4,10 @@ program ehlwave_sweep
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_table, only: read_output_name, read_sweep
    use ehlwave_errors, only: error_t
+   use ehlwave_mpi_start, only: watch_start
    use ehlwave_output_path, only: check_output_name
    use ehlwave_petsc_library, only: finish_petsc
-   use ehlwave_process, only: catch_signals, end_program, ignore_write_signals, watch_start
+   use ehlwave_process, only: catch_signals, end_program, ignore_write_signals
    use ehlwave_provenance, only: git_revision, program_version
    use ehlwave_provenance_list, only: version_text
    use ehlwave_refined_case, only: run_refined_case
