@@ -26,6 +26,7 @@ int ehlwave_is_written_to(const char *path)
 {
    int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY), status;
    if (file < 0) return 0;
+   ehlwave_waive_hdf5_locks();
    status = heeds_locks && flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
    close(file);
    return status;
