@@ -20,8 +20,8 @@ contains
       list%common = key_t(is_late=.true., is_written=heat%is_given())
       call list%see(heat%oil_conductivity_w_per_m_k, key_t('oil_conductivity_w_per_m_k', 'conductivity of the oil', &
          unit='W/(m K)', above=0.0_dp, default='none'))
-      call list%see(heat%oil_heat_capacity_j_per_kg_k, key_t('oil_heat_capacity_j_per_kg_k', 'heat capacity of the oil', &
-         unit='J/(kg K)', above=0.0_dp, default='none'))
+      call list%see(heat%oil_heat_capacity_j_per_kg_k, key_t('oil_heat_capacity_j_per_kg_k', 'heat capacity of '// &
+         'the oil', unit='J/(kg K)', above=0.0_dp, default='none'))
       call list%see(heat%oil_density_kg_per_m3, key_t('oil_density_kg_per_m3', 'density of the oil at ambient '// &
          'pressure and T0', unit='kg/m3', above=0.0_dp, default='none'))
       call list%see(heat%oil_expansion_per_k, key_t('oil_expansion_per_k', 'thermal expansion of the oil; its '// &
