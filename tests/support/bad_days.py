@@ -25,10 +25,7 @@ class BadDays(Faults):
     """Bad days one after the other in a folder."""
 
     modes = ("launcher killed", "locks refused", "results held open")
-
-    def __init__(self, folder, seed, circumstances):
-        os.environ.update(ONE_RANK)
-        super().__init__(folder, seed, circumstances)
+    variables = ONE_RANK
 
     def disturb_by(self, mode):
         """One more bad day of a mode; exit status of the run."""
@@ -60,8 +57,7 @@ class BadDays(Faults):
         place = self.folder/"attempt"
         shutil.rmtree(place, ignore_errors=True)
         shutil.copytree(self.folder/"half", place)
-        variables = {name: value for name, value in os.environ.items() if name not in ONE_RANK}
-        variables |= {**MPI_ENVIRONMENT, "EHLWAVE_LAUNCHER": LAUNCHER}
+        variables = {**os.environ, **MPI_ENVIRONMENT, "EHLWAVE_LAUNCHER": LAUNCHER}
         log = place/"run.log"
         with log.open("w") as file:
             process = subprocess.Popen([RUN_SWEEP, "sweep.nml", "--ranks", "2"], cwd=place, env=variables, stdin=subprocess.DEVNULL,
