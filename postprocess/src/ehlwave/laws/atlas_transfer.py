@@ -102,6 +102,12 @@ class AtlasTransfer:
         """Return the error of the transfer, absolute, in units of the amplitude before."""
         return self._find(per_length_x, per_length_y).error
 
+    def pressure(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
+        """Return the pressure over Ai in units of ph/c, for waves within the atlas."""
+        wave, angle, shape = self._polar(per_length_x, per_length_y)
+        found: Complex = self._chart.responses(wave, angle).pressure.reshape(shape)
+        return found
+
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
         """Return what waves add to the mean film, to second order.
 

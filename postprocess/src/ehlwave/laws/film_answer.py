@@ -81,3 +81,15 @@ def film_of(
         source=source,
         heated=by_heat,
     )
+
+
+def with_film(conditions: Conditions, film: Film) -> Conditions:
+    """Return conditions whose central film is the answer of a law; a given film stays."""
+    if conditions.has_given_film or conditions.metres_per_moes is None:
+        return conditions
+    return replace(
+        conditions,
+        central_film_m=film.central_m,
+        film_source=f"{film.source}, within {100 * film.central_error:.2g} %",
+        central_film_error=film.central_error,
+    )

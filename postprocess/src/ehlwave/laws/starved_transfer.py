@@ -31,6 +31,7 @@ class StarvedTransfer:
     """
 
     conditions: Conditions
+    has_phase = False
 
     def __post_init__(self) -> None:
         """Refuse contacts that the law was not fitted to."""
