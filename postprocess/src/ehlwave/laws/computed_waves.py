@@ -66,12 +66,10 @@ class Responses:
         film = self.base(np.exp(inside)) + CubicSpline(self.log, self.film - self._base)(inside)
         interval = np.clip(np.searchsorted(self.log, inside) - 1, 0, self.between.size - 1)
         error = np.interp(inside, self.log, self.error) + self.between[interval]
-        return (
-            film,
-            CubicSpline(self.log, self.pressure)(inside),
-            error,
-            np.interp(inside, self.log, self.rise),
-        )
+        pressure = np.full(inside.shape, complex(np.nan, np.nan))
+        if np.all(np.isfinite(self.pressure)):  # marches do not have it
+            pressure = CubicSpline(self.log, self.pressure)(inside)
+        return film, pressure, error, np.interp(inside, self.log, self.rise)
 
     @property
     def _base(self) -> Complex:
@@ -84,9 +82,13 @@ def no_base(waves: Waves) -> Complex:
 
 
 def refined(
-    compute: Rows, ends: tuple[float, float], tolerance: float, bases: Sequence[Base] = (no_base,)
+    compute: Rows,
+    ends: tuple[float, float],
+    tolerance: float,
+    bases: Sequence[Base] = (no_base,),
+    most: int = MOST,
 ) -> Responses:
-    """Return responses with an interpolation error below a tolerance, where `MOST` waves do.
+    """Return responses with an interpolation error below a tolerance, where `most` waves do.
 
     Parameters
     ----------
@@ -98,6 +100,8 @@ def refined(
         Absolute error of the interpolation.
     bases : sequence of callable
         Of these the one with the smallest errors is taken.
+    most : int
+        Largest number of waves.
 
     Raises
     ------
@@ -108,8 +112,8 @@ def refined(
     rows = list(compute(np.exp(log)))
     between = np.full(FIRST - 1, np.inf)
     base = bases[0]
-    while log.size < MOST and np.any(between > tolerance):
-        halves = np.flatnonzero(between > tolerance)[: MOST - log.size]
+    while log.size < most and np.any(between > tolerance):
+        halves = np.flatnonzero(between > tolerance)[: most - log.size]
         middle = (log[halves] + log[halves + 1]) / 2
         new = list(compute(np.exp(middle)))
         values = np.array([film_of(row) for row in new])

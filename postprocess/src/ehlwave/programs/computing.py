@@ -29,7 +29,14 @@ WAVE_COLUMNS = (
     *("harmonic_extrapolated_real", "harmonic_extrapolated_imaginary", "domain_error"),
     *("harmonic_pressure_extrapolated_real", "harmonic_pressure_extrapolated_imaginary"),
     *("harmonic_pressure_real", "harmonic_pressure_imaginary", "error_estimate", "seconds"),
-    *("mean_film_rise", "frozen_heat_error", "central_film_moes", "central_film_error"),
+    *(
+        "amplitude_ratio_fit",
+        "phase_fit",
+        "mean_film_rise",
+        "frozen_heat_error",
+        "central_film_moes",
+        "central_film_error",
+    ),
 )
 """Columns of a sweep that are kept of each wave."""
 
