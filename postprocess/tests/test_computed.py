@@ -1,8 +1,7 @@
-"""Computed answers: films and responses by the programs, their errors, input files, and the cache."""
+"""Computed answers: films, responses, input files, and the cache."""
 
 import json
 import math
-import os
 from dataclasses import replace
 from pathlib import Path
 
@@ -255,7 +254,7 @@ def test_progress_is_called_and_may_stop(folder: Path) -> None:
     def stop(*_: object) -> None:
         raise KeyboardInterrupt
 
-    before = len(os.listdir(folder))
+    before = len(list(folder.iterdir()))
     with watching(stop), pytest.raises(KeyboardInterrupt):
         ComputedTransfer(c).response(1.0, 0.0)
-    assert len(os.listdir(folder)) == before
+    assert len(list(folder.iterdir())) == before
