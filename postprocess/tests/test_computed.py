@@ -4,6 +4,7 @@ import json
 import math
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,9 +22,13 @@ from ehlwave.programs.case_input import GROUPS, case_keys, case_text
 from ehlwave.programs.computing import run_case, run_waves
 from ehlwave.programs.progress import watching
 
-STEEL = {"radius_x_m": 0.0125, "reduced_modulus_pa": 2.26e11, "viscosity_pa_s": 0.05}
-BALL = STEEL | {"radius_y_m": 0.0125, "load_n": 60, "mean_speed_m_per_s": 4}
-ROLLERS = {
+STEEL: dict[str, Any] = {
+    "radius_x_m": 0.0125,
+    "reduced_modulus_pa": 2.26e11,
+    "viscosity_pa_s": 0.05,
+}
+BALL: dict[str, Any] = STEEL | {"radius_y_m": 0.0125, "load_n": 60, "mean_speed_m_per_s": 4}
+ROLLERS: dict[str, Any] = {
     "radius_x_m": 0.01,
     "reduced_modulus_pa": 2.26e11,
     "load_n_per_m": 2.8e5,
@@ -53,7 +58,11 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def inner_race() -> Conditions:
     """Return the inner race of a 6208."""
-    keys = {"load_parameter_m": 7902, "lubricant_parameter_l": 13.2, "radius_ratio_d": 0.031}
+    keys: dict[str, Any] = {
+        "load_parameter_m": 7902,
+        "lubricant_parameter_l": 13.2,
+        "radius_ratio_d": 0.031,
+    }
     return ehlwave.Contact(**keys, semi_axis_a_m=1e-4, radius_x_m=4.5e-3).conditions
 
 
@@ -74,7 +83,7 @@ def test_groups_are_those_of_the_program() -> None:
     ],
 )
 def test_a_contact_is_written_as_an_input_file(
-    tmp_path: Path, keys: dict[str, float], heat: ehlwave.Heat | None
+    tmp_path: Path, keys: dict[str, Any], heat: ehlwave.Heat | None
 ) -> None:
     contact = ehlwave.Contact(**keys, heat=heat)
     path = tmp_path / "contact.nml"
@@ -188,7 +197,7 @@ def test_warm_contacts_have_marches_that_carry_temperatures() -> None:
 def test_kept_results_are_not_computed_again(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    keys = {"load_parameter_m": 10, "lubricant_parameter_l": 5, "radius_ratio_d": 1}
+    keys: dict[str, Any] = {"load_parameter_m": 10, "lubricant_parameter_l": 5, "radius_ratio_d": 1}
     first = run_case(keys | {"accuracy": 0.05})
     runs: list[object] = []
     monkeypatch.setattr("ehlwave.programs.computing.run_following", lambda *a, **_: runs.append(a))
@@ -223,7 +232,7 @@ def test_folders_that_cannot_be_written_keep_nothing(
 ) -> None:
     (tmp_path / "file").write_text("")
     monkeypatch.setenv(cache.FOLDER, str(tmp_path / "file" / "cache"))
-    keys = {"load_parameter_m": 10, "lubricant_parameter_l": 5, "radius_ratio_d": 1}
+    keys: dict[str, Any] = {"load_parameter_m": 10, "lubricant_parameter_l": 5, "radius_ratio_d": 1}
     assert run_case(keys | {"accuracy": 0.05})["status"] == "converged"
 
 
