@@ -36,8 +36,9 @@ ACCURACY, STARVED_ACCURACY = 0.02, 0.05
 meniscus; the law of starved contacts has 0.08."""
 LARGE_ERROR = 0.025
 """Absolute error of a computed wave above which it is computed with half of `ACCURACY`."""
-TOLERANCE = 0.01
-"""Error of the interpolation, absolute, below those of the atlases."""
+TOLERANCE, STARVED_TOLERANCE = 0.01, 0.02
+"""Errors of the interpolation, absolute, below those of the atlases and of the law of starved
+contacts."""
 FINE = 161
 """Points of the tables that stand for the splines."""
 LOGS = np.linspace(math.log(WAVE_RANGE[0]), math.log(WAVE_RANGE[1]), FINE)
@@ -47,7 +48,7 @@ LINE_X = 1000.0
 """Wavelength along X, over a, of waves along a line contact: the program takes no infinite one."""
 MOST_FROZEN = 0.3
 """Error by temperatures that stay those of the smooth contact, above which there is no answer."""
-NEGLIGIBLE_FROZEN = 0.02
+NEGLIGIBLE_FROZEN = 0.05
 """The same error below which linear responses answer; above it marches do."""
 MARCHED, MOST_MARCHED, MARCHED_ACCURACY, SMALL = (0.3, 3.0), 13, 0.05, 0.02
 """Marches: wavelengths over a, largest number, accuracy, and Ai over the film."""
@@ -172,15 +173,12 @@ class ComputedTransfer(AtlasTransfer):
             bases: list[Base] = [no_base]
             if base := self._law(angle):
                 bases.append(base)
-            rows, ends = self._rows, WAVE_RANGE
+            rows, ends, most = self._rows, WAVE_RANGE, MOST
             if self._warms(angle):
-                rows, ends = self._marches, MARCHED
+                rows, ends, most = self._marches, MARCHED, MOST_MARCHED
+            tolerance = STARVED_TOLERANCE if self._conditions.is_starved else TOLERANCE
             self._curves[angle] = refined(
-                lambda waves: rows(waves, angle),
-                ends,
-                TOLERANCE,
-                bases,
-                MOST_MARCHED if rows == self._marches else MOST,
+                lambda waves: rows(waves, angle), ends, tolerance, bases, most
             )
         return self._curves[angle]
 
