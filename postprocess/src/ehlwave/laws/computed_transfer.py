@@ -28,7 +28,7 @@ from ehlwave.laws.computed_waves import (
 )
 from ehlwave.laws.transfer import Waves
 from ehlwave.programs.case_input import case_keys
-from ehlwave.programs.computing import Result, run_waves
+from ehlwave.programs.computing import Result, is_usable, run_waves
 from ehlwave.programs.progress import Following
 
 ACCURACY, STARVED_ACCURACY = 0.02, 0.05
@@ -52,6 +52,8 @@ NEGLIGIBLE_FROZEN = 0.05
 """The same error below which linear responses answer; above it marches do."""
 MARCHED, MOST_MARCHED, MARCHED_ACCURACY, SMALL = (0.3, 3.0), 13, 0.05, 0.02
 """Marches: wavelengths over a, largest number, accuracy, and Ai over the film."""
+FINER: dict[str, Any] = {"cells_x": 256, "cells_y": 128}
+"""Grid of marches that stall on the planned one."""
 MARCHED_COLUMNS = "amplitude_ratio_fit", "phase_fit"
 NEWTONIAN_FROZEN = 2.0
 """Factor on the program's estimate of this error, for Newtonian oils under slip."""
@@ -226,7 +228,16 @@ class ComputedTransfer(AtlasTransfer):
             "accuracy": MARCHED_ACCURACY,
             "mean_rise": None,
         }
-        rows = run_waves(keys, self._columns(waves, angle), self._progress)
+        every = self._columns(waves, angle)
+        rows = run_waves(keys, every, self._progress)
+        # Marches that stall on a coarse grid are followed on a finer one.
+        stalled = [k for k, row in enumerate(rows) if not is_usable(row)]
+        finer = keys | {"accuracy": None} | FINER
+        if self._conditions.is_line:
+            finer.pop("cells_y")
+        again = run_waves(finer, [every[k] for k in stalled], self._progress)
+        for k, row in zip(stalled, again, strict=True):
+            rows[k] = row
         for row in rows:
             size, phase = (float(row.get(key) or math.nan) for key in MARCHED_COLUMNS)
             row["harmonic_real"] = size * math.cos(phase)
