@@ -17,9 +17,10 @@ from ehlwave.driver import key_groups
 from ehlwave.errors import ProgramError, RangeError
 from ehlwave.laws.computed_film import computed_film
 from ehlwave.laws.computed_transfer import ComputedTransfer
+from ehlwave.laws.computed_waves import refined
 from ehlwave.programs import cache
 from ehlwave.programs.case_input import GROUPS, case_keys, case_text
-from ehlwave.programs.computing import run_case, run_waves
+from ehlwave.programs.computing import is_usable, run_case, run_waves
 from ehlwave.programs.progress import watching
 
 STEEL: dict[str, Any] = {
@@ -267,3 +268,19 @@ def test_progress_is_called_and_may_stop(folder: Path) -> None:
     with watching(stop), pytest.raises(KeyboardInterrupt):
         ComputedTransfer(c).response(1.0, 0.0)
     assert len(list(folder.iterdir())) == before
+
+
+def test_waves_that_are_not_solved_are_kept_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    keys = case_keys(inner_race()) | {
+        "orientation": "custom",
+        "response": "harmonic",
+        "cells_x": 64,
+        "cells_y": 64,
+    }
+    wave = {"wavelength_x_over_a": 0.1, "wavelength_y_over_a": 0.0}
+    (row,) = run_waves(keys, [wave])
+    assert not is_usable(row)
+    monkeypatch.setattr("ehlwave.programs.computing.run_following", None)
+    assert run_waves(keys, [wave])[0]["status"] == row["status"]
+    with pytest.raises(ProgramError, match="of 7 waves were not solved"):
+        refined(lambda waves: [row] * len(waves), (0.1, 4.0), 0.01, most=7)
