@@ -31,11 +31,11 @@ from ehlwave.programs.case_input import case_keys
 from ehlwave.programs.computing import Result, is_usable, run_waves
 from ehlwave.programs.progress import Following
 
-ACCURACY, STARVED_ACCURACY = 0.02, 0.05
-"""Relative errors of Ad/Ai that are asked for. Starved contacts need grids that resolve the
-meniscus; the law of starved contacts has 0.08."""
+ACCURACY, FINER_ACCURACY = 0.05, 0.015
+"""Relative errors of Ad/Ai that are asked for: of all waves, and of those that turn out worse than
+`LARGE_ERROR`. Asking for less at once takes up to 50 times as long for short waves."""
 LARGE_ERROR = 0.025
-"""Absolute error of a computed wave above which it is computed with half of `ACCURACY`."""
+"""Absolute error of a computed wave above which it is computed again."""
 TOLERANCE, STARVED_TOLERANCE = 0.01, 0.02
 """Errors of the interpolation, absolute, below those of the atlases and of the law of starved
 contacts."""
@@ -98,7 +98,7 @@ class ComputedTransfer(AtlasTransfer):
             "orientation": "custom",
             "response": "harmonic",
             "amplitude_over_film": AMPLITUDE,
-            "accuracy": STARVED_ACCURACY if conditions.is_starved else ACCURACY,
+            "accuracy": ACCURACY,
         }
         self._curves: dict[float, Responses] = {}
         self._lookups: dict[str, Callable[[Waves, Waves], Waves]] = {}
@@ -194,7 +194,7 @@ class ComputedTransfer(AtlasTransfer):
         if self._conditions.is_starved:  # the finest grid that a plan takes
             return rows
         coarse = [k for k, row in enumerate(rows) if error_of(row) > LARGE_ERROR]
-        finer = keys | {"accuracy": ACCURACY / 2}
+        finer = keys | {"accuracy": FINER_ACCURACY}
         better = run_waves(finer, [every[k] for k in coarse], self._progress)
         for k, row in zip(coarse, better, strict=True):
             rows[k] = row if error_of(row) < error_of(rows[k]) else rows[k]
