@@ -55,7 +55,7 @@ def computed_film(
     known = math.isfinite(_number(found, "minimum_film_error"))
     by_data, friction_by_data = _by_data(conditions, heat, found, progress)
     scale = conditions.metres_per_moes
-    friction = _friction(conditions, heat, found)
+    friction = _friction(conditions, found)
     friction_error = None
     if friction is not None:
         friction_error = _number(found, "friction_error") + friction_by_data
@@ -112,12 +112,10 @@ def _central_error(found: Result) -> float:
     return sum(value for value in values if math.isfinite(value))
 
 
-def _friction(c: Conditions, heat: Heat | None, found: Result) -> float | None:
-    """Return the size of the friction; None in pure rolling, where it is not one of sliding."""
+def _friction(c: Conditions, found: Result) -> float | None:
+    """Return the size of the friction coefficient; None in pure rolling."""
     value = found.get("friction_coefficient")
-    if value is None or (c.slip_parameter == 1 and heat is None):
-        return None
-    return abs(float(value))
+    return None if value is None or c.slip_parameter == 1 else abs(float(value))
 
 
 def _by_data(

@@ -14,10 +14,11 @@ from ehlwave.contact.two_waves import two_waves
 from ehlwave.errors import RangeError
 from ehlwave.laws.answers import Response
 from ehlwave.laws.atlas.ranges import WAVE_RANGE
-from ehlwave.laws.atlas_transfer import AtlasTransfer
+from ehlwave.laws.atlas_transfer import SHORT_WAVE_POWER, AtlasTransfer
 from ehlwave.laws.computed_film import computed_film
 from ehlwave.laws.computed_waves import (
     AMPLITUDE,
+    MOST,
     Base,
     Complex,
     Responses,
@@ -27,16 +28,17 @@ from ehlwave.laws.computed_waves import (
 )
 from ehlwave.laws.transfer import Waves
 from ehlwave.programs.case_input import case_keys
-from ehlwave.programs.computing import Result, run_waves
+from ehlwave.programs.computing import Result, is_usable, run_waves
 from ehlwave.programs.progress import Following
 
-ACCURACY, STARVED_ACCURACY = 0.02, 0.05
-"""Relative errors of Ad/Ai that are asked for. Starved contacts need grids that resolve the
-meniscus; the law of starved contacts has 0.08."""
+ACCURACY, FINER_ACCURACY = 0.05, 0.015
+"""Relative errors of Ad/Ai that are asked for: of all waves, and of those that turn out worse than
+`LARGE_ERROR`. Asking for less at once takes up to 50 times as long for short waves."""
 LARGE_ERROR = 0.025
-"""Absolute error of a computed wave above which it is computed with half of `ACCURACY`."""
-TOLERANCE = 0.01
-"""Error of the interpolation, absolute, below those of the atlases."""
+"""Absolute error of a computed wave above which it is computed again."""
+TOLERANCE, STARVED_TOLERANCE = 0.01, 0.02
+"""Errors of the interpolation, absolute, below those of the atlases and of the law of starved
+contacts."""
 FINE = 161
 """Points of the tables that stand for the splines."""
 LOGS = np.linspace(math.log(WAVE_RANGE[0]), math.log(WAVE_RANGE[1]), FINE)
@@ -46,6 +48,13 @@ LINE_X = 1000.0
 """Wavelength along X, over a, of waves along a line contact: the program takes no infinite one."""
 MOST_FROZEN = 0.3
 """Error by temperatures that stay those of the smooth contact, above which there is no answer."""
+NEGLIGIBLE_FROZEN = 0.05
+"""The same error below which linear responses answer; above it marches do."""
+MARCHED, MOST_MARCHED, MARCHED_ACCURACY, SMALL = (0.3, 3.0), 13, 0.05, 0.02
+"""Marches: wavelengths over a, largest number, accuracy, and Ai over the film."""
+FINER: dict[str, Any] = {"cells_x": 256, "cells_y": 128}
+"""Grid of marches that stall on the planned one."""
+MARCHED_COLUMNS = "amplitude_ratio_fit", "phase_fit"
 NEWTONIAN_FROZEN = 2.0
 """Factor on the program's estimate of this error, for Newtonian oils under slip."""
 
@@ -89,7 +98,7 @@ class ComputedTransfer(AtlasTransfer):
             "orientation": "custom",
             "response": "harmonic",
             "amplitude_over_film": AMPLITUDE,
-            "accuracy": STARVED_ACCURACY if conditions.is_starved else ACCURACY,
+            "accuracy": ACCURACY,
         }
         self._curves: dict[float, Responses] = {}
         self._lookups: dict[str, Callable[[Waves, Waves], Waves]] = {}
@@ -166,48 +175,92 @@ class ComputedTransfer(AtlasTransfer):
             bases: list[Base] = [no_base]
             if base := self._law(angle):
                 bases.append(base)
+            rows, ends, most = self._rows, WAVE_RANGE, MOST
+            if self._warms(angle):
+                rows, ends, most = self._marches, MARCHED, MOST_MARCHED
+            tolerance = STARVED_TOLERANCE if self._conditions.is_starved else TOLERANCE
             self._curves[angle] = refined(
-                lambda waves: self._rows(waves, angle), WAVE_RANGE, TOLERANCE, bases
+                lambda waves: rows(waves, angle), ends, tolerance, bases, most
             )
         return self._curves[angle]
 
     def _rows(self, waves: Waves, angle: float) -> Sequence[Result]:
-        """Compute waves of one direction."""
-        cosine, sine = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-        is_line = self._conditions.is_line
-        along = [wave / cosine if angle < 90 else (LINE_X if is_line else 0.0) for wave in waves]
-        across = [wave / sine if angle > 0 else 0.0 for wave in waves]
-        keys = self._keys
+        """Compute linear responses of one direction."""
+        keys, every = self._keys, self._columns(waves, angle)
         if 0 < angle < 90 or self._conditions.is_starved:  # products of cosines have another rise
             keys = keys | {"mean_rise": False}
-        columns = "wavelength_x_over_a", "wavelength_y_over_a"
-        pairs = zip(map(float, along), map(float, across), strict=True)
-        every = [dict(zip(columns, pair, strict=True)) for pair in pairs]
         rows = run_waves(keys, every, self._progress)
         self._judge_heat(rows)
         if self._conditions.is_starved:  # the finest grid that a plan takes
             return rows
         coarse = [k for k, row in enumerate(rows) if error_of(row) > LARGE_ERROR]
-        finer = keys | {"accuracy": ACCURACY / 2}
+        finer = keys | {"accuracy": FINER_ACCURACY}
         better = run_waves(finer, [every[k] for k in coarse], self._progress)
         for k, row in zip(coarse, better, strict=True):
             rows[k] = row if error_of(row) < error_of(rows[k]) else rows[k]
         return rows
 
-    def _judge_heat(self, rows: Sequence[Result]) -> None:
-        """Keep the error by frozen temperatures; refuse contacts where it says too little."""
-        if self._heat is None:
-            return
+    def _columns(self, waves: Waves, angle: float) -> list[dict[str, float]]:
+        """Return wavelengths along X and Y; 0: infinite."""
+        cosine, sine = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+        no_x = LINE_X if self._conditions.is_line else 0.0
+        return [
+            {
+                "wavelength_x_over_a": float(wave / cosine) if angle < 90 else no_x,
+                "wavelength_y_over_a": float(wave / sine) if angle > 0 else 0.0,
+            }
+            for wave in waves
+        ]
+
+    def _warms(self, angle: float) -> bool:
+        """Return whether temperatures that change as waves pass matter, and marches have them."""
+        if self._heat is None or angle == 90 or (self._conditions.is_line and angle > 0):
+            return False
+        rows = run_waves(self._keys, self._columns(np.array([1.0]), angle), self._progress)
+        return self._frozen_error(rows) > NEGLIGIBLE_FROZEN
+
+    def _marches(self, waves: Waves, angle: float) -> Sequence[Result]:
+        """Compute marches of one direction that carry the temperatures of oil and surfaces."""
+        keys = self._keys | {
+            "response": "transient",
+            "amplitude_over_film": SMALL,
+            "wave_temperatures": "carried",
+            "accuracy": MARCHED_ACCURACY,
+            "mean_rise": None,
+        }
+        every = self._columns(waves, angle)
+        rows = run_waves(keys, every, self._progress)
+        # Marches that stall on a coarse grid are followed on a finer one.
+        stalled = [k for k, row in enumerate(rows) if not is_usable(row)]
+        finer = keys | {"accuracy": None} | FINER
+        if self._conditions.is_line:
+            finer.pop("cells_y")
+        again = run_waves(finer, [every[k] for k in stalled], self._progress)
+        for k, row in zip(stalled, again, strict=True):
+            rows[k] = row
+        for row in rows:
+            size, phase = (float(row.get(key) or math.nan) for key in MARCHED_COLUMNS)
+            row["harmonic_real"] = size * math.cos(phase)
+            row["harmonic_imaginary"] = size * math.sin(phase)
+            row["harmonic_extrapolated_real"] = math.nan
+        return rows
+
+    def _frozen_error(self, rows: Sequence[Result]) -> float:
         c = self._conditions
         slides = c.slip_parameter != 1 and c.oil.name == "Newtonian"
         factor = NEWTONIAN_FROZEN if slides else 1.0
         found = [float(row.get("frozen_heat_error") or 0.0) * factor for row in rows]
-        self._frozen = max([self._frozen, *(one for one in found if math.isfinite(one))])
+        return max((one for one in found if math.isfinite(one)), default=0.0)
+
+    def _judge_heat(self, rows: Sequence[Result]) -> None:
+        """Keep the error by frozen temperatures; refuse contacts where it says too little."""
+        if self._heat is None:
+            return
+        self._frozen = max(self._frozen, self._frozen_error(rows))
         if self._frozen > MOST_FROZEN:
             raise RangeError(
                 f"the contact warms so far that linear responses may be {self._frozen:.2g} of Ai "
-                "off: temperatures change as waves pass. Leave heat out, or compute single waves "
-                "by ehlwave-case with &heat wave_temperatures = 'carried'"
+                "off, and marches do not take such waves: leave heat out"
             )
 
     def _law(self, angle: float) -> Base | None:
@@ -239,6 +292,8 @@ class ComputedTransfer(AtlasTransfer):
         logs, curve = LOGS, self.curve(angle)
         film, _, error, rise = curve.at(logs)
         short, long = logs < curve.log[0] - 1e-9, logs > curve.log[-1] + 1e-9
+        kept = np.exp(np.minimum(logs - curve.log[0], 0.0) * SHORT_WAVE_POWER)
+        film = (1 - (1 - film.real) * kept) + 1j * film.imag * kept
         error = error + self._frozen + np.where(short, abs(1 - film), 0) + long * abs(film)
         return np.stack([film.real, film.imag, error, rise])
 

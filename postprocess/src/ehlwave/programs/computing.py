@@ -24,12 +24,22 @@ Result = dict[str, Any]
 USABLE = ("converged", "inaccurate")
 """Statuses whose numbers have error estimates that hold."""
 
+UNFINISHED = ("pending", "over_budget", "crashed", "interrupted")
+"""Statuses that another run may change: such rows are not kept."""
+
 WAVE_COLUMNS = (
     *("status", "message", "is_resolved", "harmonic_real", "harmonic_imaginary", "harmonic_error"),
     *("harmonic_extrapolated_real", "harmonic_extrapolated_imaginary", "domain_error"),
     *("harmonic_pressure_extrapolated_real", "harmonic_pressure_extrapolated_imaginary"),
     *("harmonic_pressure_real", "harmonic_pressure_imaginary", "error_estimate", "seconds"),
-    *("mean_film_rise", "frozen_heat_error", "central_film_moes", "central_film_error"),
+    *(
+        "amplitude_ratio_fit",
+        "phase_fit",
+        "mean_film_rise",
+        "frozen_heat_error",
+        "central_film_moes",
+        "central_film_error",
+    ),
 )
 """Columns of a sweep that are kept of each wave."""
 
@@ -106,7 +116,7 @@ def run_waves(keys: Keys, waves: Sequence[Keys], progress: Following = None) -> 
         rows = _sweep(program, groups, [wave for _, wave in missing], progress)
         for (name, wave), row in zip(missing, rows, strict=True):
             found[name] = row
-            if is_usable(row):
+            if row["status"] not in UNFINISHED:
                 store(name, {**keys, **wave}, row)
     return [dict(found[name] or {}) for name in names]
 
