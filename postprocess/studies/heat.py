@@ -15,23 +15,25 @@ from ehlwave.contact import Conditions, conditions_from_keys
 from ehlwave.contact.heat_data import BodyHeat, Heat
 from ehlwave.laws.heat_laws import (
     FRICTION_COEFFICIENTS,
-    INLET_COEFFICIENTS,
     friction_factor,
-    inlet_factor,
     sliding_film,
     thermal_loading,
+    WEDGE_POWER,
     wall_parameter,
+    wedge,
 )
 from ehlwave.laws.sheared_film import Sheared, shear_isothermal, shear_warm
+from ehlwave.laws.warm_films import inlet_factor
 from ehlwave.results.figures import write_figure
 from ehlwave.writing import Writer
+from studies import heat_films
 from studies.folds import held_out
 from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
 
 Floats = NDArray[np.float64]
 
 RANGES = {
-    "radius_x_m": (4e-3, 4e-2),
+    "radius_x_m": (4e-3, 1e-1),
     "reduced_modulus_pa": (1.1e11, 3.2e11),
     "hertz_pa": (3e8, 1.8e9),
     "mean_speed_m_per_s": (0.2, 30.0),
@@ -49,8 +51,10 @@ EVEN_RANGES = {
     "oil_conductivity_w_per_m_k": (0.11, 0.17),
     "oil_heat_capacity_j_per_kg_k": (1700.0, 2400.0),
 }
+LINE_CELLS = 12
+"""Cells of a line contact over those of a point contact."""
 ROLLING_SHARE = 0.3
-UNLIKE_SHARE = 0.3
+UNLIKE_SHARE = 0.5
 """Of contacts whose second body conducts otherwise."""
 LOADS, OILS = (5.0, 1500.0), (2.0, 20.0)
 """M and L of the contacts that are taken."""
@@ -59,8 +63,10 @@ FOLDS = 20
 """Of contacts, each of which is predicted by a fit to the others."""
 ROBUST = {"loss": "soft_l1", "f_scale": 0.03}
 """How laws are fitted."""
-LARGEST_ERROR = 0.05
+LARGEST_ERROR = 0.03
 """Of films and friction of computed contacts; coarser ones are left out."""
+FITTED_LOADING = 4.0
+"""Largest L_T of the contacts that the laws of films are fitted to."""
 THICKEST = 0.4
 """Film by the formula over the Hertz approach; thicker ones are rather rigid."""
 
@@ -112,25 +118,32 @@ def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
     """Write the sweeps of line and of elliptical contacts."""
     oil = {"flow_law": "eyring"}
     heat = {"oil_density_kg_per_m3": DENSITY, "oil_expansion_per_k": EXPANSION}
-    grid = {"x_min": -4.5, "x_max": 2.0, "edges": "flooded", "cells_x": 4 * cells}
-    groups = {"lubricant": oil, "heat": heat, "grid": grid}
-    write_sweep(folder, "lines", contacts(lines, is_line=True), groups)
+    grid = {"x_min": -4.5, "x_max": 2.0, "edges": "flooded", "cells_x": LINE_CELLS * cells}
+    grids = {"lines": grid}
     grid = {"x_min": -3.5, "x_max": 1.5, "y_max": 2.5, "edges": "flooded"}
-    groups["grid"] = grid | {"cells_x": cells, "cells_y": cells}
-    write_sweep(folder, "points", contacts(points, is_line=False), groups)
+    grids["points"] = grid | {"cells_x": cells, "cells_y": cells}
+    for name, count in (("lines", lines), ("points", points)):
+        rows = contacts(count, is_line=name == "lines")
+        groups = {"lubricant": oil, "heat": heat, "grid": grids[name]}
+        write_sweep(folder, name, rows, groups)
+        cold = [{key: row[key] for key in _keys(row)} for row in rows]
+        write_sweep(folder, f"{name}_cold", cold, {"lubricant": oil, "grid": grids[name]})
 
 
 def usable(folder: Path) -> pd.DataFrame:
     """Return the contacts that converged on a grid that resolves them, with what laws take."""
     rows = []
     for name in ("lines", "points"):
-        for case in read_sweep(folder, name):
+        pairs = zip(read_sweep(folder, name), read_sweep(folder, f"{name}_cold"), strict=True)
+        for case, cold in pairs:
             if case["status"] != "converged" or not case["central_film_error"] < LARGEST_ERROR:
                 continue
             ratio = 2 * (case["slip_parameter"] - 1)
             if ratio and not case["friction_error"] < LARGEST_ERROR:
-                continue
-            rows.append(_compared(case, ratio))
+                case = {**case, "friction_coefficient": math.nan}
+            thinner = case["minimum_film"] / cold["minimum_film"]
+            is_known = case["minimum_film_error"] < LARGEST_ERROR and cold["status"] == "converged"
+            rows.append(_compared(case, ratio) | {"smallest": thinner if is_known else math.nan})
     return pd.DataFrame(rows)
 
 
@@ -152,13 +165,18 @@ def _compared(case: Row, ratio: float) -> Row:
     beta, k = heat.viscosity_temperature_per_k, heat.oil_conductivity_w_per_m_k
     walls = (case["central_rise_wall_1_k"] + case["central_rise_wall_2_k"]) / 2
     mean = Sheared(0.0, case["central_rise_mid_film_k"], walls).rise_mean_k
+    thicker = wedge(heat, ratio, walls) ** WEDGE_POWER if ratio else 1.0
     row: Row = {
         "is_line": c.is_line,
         "ratio": ratio,
         "loading": float(thermal_loading(case["viscosity_pa_s"], beta, u, k)),
         "wall": wall_parameter(heat, film_m, c.semi_axis_a_m, u),
         "film": warm_m / film_m,
-        "inlet": warm_m / film_m * (1 - EXPANSION * mean),
+        "thickness": film_m / (c.hertz_approach_c_m or math.nan),
+        "oil_l": c.l,
+        "alphabar": c.alphabar,
+        "warmth": beta * walls if ratio else 0.0,
+        "inlet_alone": warm_m / film_m * (1 - EXPANSION * mean) / thicker,
         "hertz_over_modulus": c.hertz_pa / case["reduced_modulus_pa"],
         "rise_mid_film_k": case["central_rise_mid_film_k"],
         "friction": case["friction_coefficient"],
@@ -186,17 +204,16 @@ def report(folder: Path) -> None:
     table = usable(folder)
     write_rows(folder / "contacts.csv", table.to_dict("records"), digits=5)
     fold = np.random.default_rng(1).permutation(len(table)) % FOLDS
-    s, x = table["ratio"].to_numpy(), table["loading"].to_numpy()
-
-    def inlet(p: Floats) -> Floats:
-        return inlet_factor(x, s, table["wall"].to_numpy(), p)
+    s = table["ratio"].to_numpy()
 
     rows = [_row("film, Gupta", None, gupta(table) - table["film"].to_numpy())]
-    film = table["inlet"].to_numpy()
-    best, errors = held_out(inlet, film, INLET_COEFFICIENTS, fold, **ROBUST)
-    rows.append(_row("film", best, errors / film))
-    rows.append(_row("film, rolling", None, (errors / film)[s == 0]))
-    slides = table[table["ratio"] > 0]
+    of_law = (table["loading"] <= FITTED_LOADING).to_numpy()
+    films, found = heat_films.fit(table[of_law], fold[of_law])
+    heat_films.write(found)
+    write_rows(folder / "films.csv", films, digits=5)
+    for film in films:
+        print(", ".join(f"{k} {v}" for k, v in film.items()))
+    slides = table[(table["ratio"] > 0) & table["friction"].notna() & of_law]
     both = pd.concat([_part(slides, "cold", "isothermal"), _part(slides, "warm", "friction")])
 
     def friction(p: Floats) -> Floats:
@@ -204,7 +221,7 @@ def report(folder: Path) -> None:
         return np.log(friction_factor(*columns, p))
 
     y = np.log(both["computed"] / both["modelled"]).to_numpy()
-    twice = np.tile(fold[s > 0], 2)
+    twice = np.tile(fold[slides.index.to_numpy()], 2)
     best, errors = held_out(friction, y, FRICTION_COEFFICIENTS, twice, **ROBUST)
     is_warm = np.arange(len(y)) >= len(slides)
     rows.append(_row("friction, even film", None, -y[is_warm]))
@@ -217,7 +234,9 @@ def report(folder: Path) -> None:
             f"{row['within_95']:.4f}, largest {row['largest']:.3f}; "
             + ", ".join(f"{row[f'c{i}']:.4g}" for i in range(1, 8) if f"c{i}" in row)
         )
-    _draw(folder, table, inlet(np.array([rows[1][f"c{i}"] for i in range(1, 7)])), both, errors)
+    parts = ("loading", "ratio", "wall", "thickness", "oil_l", "alphabar", "is_line")
+    law = inlet_factor(*(table[name].to_numpy() for name in parts), found["inlet"])
+    _draw(folder, table, law, both, errors)
 
 
 _FACTOR = ("thickness", "is_line", "stress", "warmth", "ratio")
@@ -262,7 +281,7 @@ def _draw(
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4.2), layout="constrained")
     left.plot([0.2, 1], [0.2, 1], color="0.7")
     left.scatter(gupta(table), table["film"], s=7, color="0.6", label="Gupta and others")
-    left.scatter(inlet, table["inlet"], s=7, label="law of the inlet")
+    left.scatter(inlet, table["inlet_alone"], s=7, label="law of the inlet")
     left.set(xlabel="film with heat over without, by the law", ylabel="computed")
     left.legend(frameon=False)
     y = both["computed"].to_numpy()
@@ -281,8 +300,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser("a step of scripts/study heat", description=__doc__)
     parser.add_argument("step", choices=("cases", "report"))
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--lines", type=int, default=400)
-    parser.add_argument("--points", type=int, default=160)
+    parser.add_argument("--lines", type=int, default=2000)
+    parser.add_argument("--points", type=int, default=600)
     parser.add_argument("--cells", type=int, default=128)
     return run_command(parser, _run, arguments)
 

@@ -17,11 +17,10 @@ from ehlwave.laws.heat_laws import (
     COLD_BAR,
     FRICTION_BAR,
     FRICTION_COEFFICIENTS,
-    INLET_BAR,
-    INLET_COEFFICIENTS,
     warmed,
 )
 from ehlwave.laws.sheared_film import Sliding, shear_isothermal, shear_warm
+from ehlwave.laws.warm_films import fitted
 
 ROOT = Path(__file__).resolve().parents[2]
 REFERENCE = ROOT / "tests/verification/reference/heat_line.csv"
@@ -68,11 +67,38 @@ def test_the_independent_solver() -> None:
 def test_coefficients_and_bars_are_those_of_the_record() -> None:
     with (ROOT / "postprocess/record/heat/laws.csv").open() as file:
         laws = {row["law"]: row for row in csv.DictReader(file)}
-    for name, used in (("film", INLET_COEFFICIENTS), ("friction", FRICTION_COEFFICIENTS)):
-        assert used == tuple(float(laws[name][f"c{i + 1}"]) for i in range(len(used)))
-    bars = {"film": INLET_BAR, "friction": FRICTION_BAR, "friction without heat": COLD_BAR}
-    for name, bar in bars.items():
+    used = FRICTION_COEFFICIENTS
+    assert used == tuple(float(laws["friction"][f"c{i + 1}"]) for i in range(len(used)))
+    for name, bar in {"friction": FRICTION_BAR, "friction without heat": COLD_BAR}.items():
         assert 0.85 * bar < float(laws[name]["within_95"]) < bar, name
+
+
+@pytest.mark.parametrize("name", ["central", "smallest"])
+def test_errors_of_warm_films_hold_in_the_record(name: str) -> None:
+    with (ROOT / "postprocess/record/heat/films.csv").open() as file:
+        rows = {row["law"]: row for row in csv.DictReader(file)}
+    row = rows[f"film, {name}"]
+    assert fitted()[f"{name}_error"] == pytest.approx([float(row[f"e{i}"]) for i in range(3)])
+    assert float(row["within"]) >= 0.95
+    assert float(row["beyond_1.5"]) <= 0.01
+
+
+def test_a_warm_rolling_line_of_unlike_bodies() -> None:
+    """Computed on 2048 cells: 0.6418 and 0.5765 um, 0.26 % and 0.4 % by the grid."""
+    bodies = {"body": ehlwave.BodyHeat(46), "body2": ehlwave.BodyHeat(1.5)}
+    heat = ehlwave.Heat(313.15, 0.042, 0.14, 2000, 870, **bodies)
+    film = ehlwave.Contact(
+        radius_x_m=0.0367,
+        reduced_modulus_pa=1.24e11,
+        load_n_per_m=4.76e6,
+        mean_speed_m_per_s=13.5,
+        viscosity_pa_s=0.0103,
+        pressure_viscosity_per_pa=2e-8,
+        roelands_index=0.6,
+        heat=heat,
+    ).film()
+    assert film.central_m == pytest.approx(0.6418e-6, rel=film.central_error)
+    assert film.minimum_m == pytest.approx(0.5765e-6, rel=film.minimum_error)
 
 
 @pytest.mark.parametrize(("g", "rise", "more"), [(1, 0.140539, 1.098705), (3, 0.640147, 1.546402)])

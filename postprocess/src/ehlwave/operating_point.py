@@ -14,6 +14,7 @@ from ehlwave.contact.conditions_read import Given
 from ehlwave.errors import ExtrapolationWarning, SurfaceError
 from ehlwave.laws.transfer import Transfer
 from ehlwave.laws.transfer_choice import transfer_of
+from ehlwave.laws.warm_waves import WarmTransfer, thinner, warmth_of
 from ehlwave.smooth_contact import conditions_with_film
 from ehlwave.surface.film_profile import second_conditions
 from ehlwave.surface.pair import DeformedPair
@@ -37,7 +38,7 @@ class Contact(WavyContact):
         Another atlas file than that of the package.
     heat : Heat, optional
         How oil and bodies conduct and store heat: film and friction are those with heat, by the
-        laws of :mod:`ehlwave.laws.heat_laws`. Waves stay isothermal, over the film with heat.
+        laws of :mod:`ehlwave.laws.heat_laws`, responses by :mod:`ehlwave.laws.warm_waves`.
     **keys
         Keys of the input files of ``ehlwave-case``: dimensional data (``radius_x_m``,
         ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``, ``mean_speed_m_per_s``,
@@ -103,7 +104,16 @@ class Contact(WavyContact):
         >>> contact.transfer("paper").name
         'formula of Venner et al. (2000)'
         """
-        return transfer_of(self.conditions, by, self._own_atlas())
+        own = self._own_atlas()
+        cold = transfer_of(self.conditions, by, own)
+        if by != "atlas" or self.heat is None:
+            return cold
+        film = self.film()
+        if film.heated is None:
+            return cold
+        warmth = warmth_of(film, self.heat, self.conditions.slip_parameter)
+        thin = transfer_of(thinner(self.conditions, film.heated.film_factor), by, own)
+        return WarmTransfer(cold, thin, warmth)
 
     def deform(
         self,

@@ -8,15 +8,28 @@ from typing import TYPE_CHECKING
 from ehlwave.errors import RangeError
 from ehlwave.inputs.slip import slip_given
 from ehlwave.laws.answers import Response
+from ehlwave.laws.atlas.atlas import chart_of
 from ehlwave.laws.response_answer import response_of
 from ehlwave.laws.responses import response_table, responses_figure
+from ehlwave.laws.warm_waves import thinner, warm_response, warmth_of
 from ehlwave.quantities import number
 from ehlwave.smooth_contact import SmoothContact
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import xarray as xr
     from matplotlib.figure import Figure
     from numpy.typing import ArrayLike
+
+    from ehlwave.contact.conditions import Conditions
+    from ehlwave.laws.atlas.atlas import Atlas
+    from ehlwave.laws.atlas.chart import Chart
+
+
+def chart_at(conditions: Conditions, own: Atlas | None) -> Callable[[float], Chart]:
+    """Return what finds the chart of a contact at a slip parameter."""
+    return lambda slip: chart_of(replace(conditions, slip_parameter=slip), own)
 
 
 class WavyContact(SmoothContact):
@@ -76,8 +89,15 @@ class WavyContact(SmoothContact):
         if slip_parameter is None:
             slip_parameter = self.conditions.slip_parameter
         conditions = replace(self.conditions, slip_parameter=slip_parameter)
-        wave = wavelength_over_a, angle_deg
-        return response_of(conditions, *wave, self._chart, self._own_atlas())
+        wave, own = (wavelength_over_a, angle_deg), self._own_atlas()
+        cold = response_of(conditions, *wave, self._chart, own)
+        film = None if self.heat is None else self.film()
+        if self.heat is None or film is None or film.heated is None:
+            return cold
+        warmth = warmth_of(film, self.heat, conditions.slip_parameter)
+        thin = thinner(conditions, film.heated.film_factor)
+        charts = chart_at(thin, own)
+        return warm_response(cold, response_of(thin, *wave, charts, own), warmth)
 
     def responses(
         self,

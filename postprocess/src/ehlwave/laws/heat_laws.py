@@ -16,35 +16,20 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
 from ehlwave.laws.friction_error import error_by_data
 from ehlwave.laws.sheared_film import Sheared, Sliding, shear_isothermal, shear_warm
+from ehlwave.laws.warm_films import film_error, inlet_factor, smallest_factor
 
 Floats = NDArray[np.float64]
 
-INLET_COEFFICIENTS = (0.11434, 0.8775, 1.5234, 2.6508, 5.7436, 0.65452)
-"""Of :func:`inlet_factor`."""
-FRICTION_COEFFICIENTS = (0.23399, 0.65618, 1.4634, 0.30077, 0.17842, 0.28192, 36.972)
+FRICTION_COEFFICIENTS = (0.25537, 0.67336, 0.25625, 0.42595, 0.23416, 0.36668, 56.129)
 """Of :func:`friction_factor`."""
-INLET_BAR, FRICTION_BAR, COLD_BAR = 0.05, 0.12, 0.055
-"""Relative errors of the film by heat and of friction with and without heat: 95 % of contacts held
-out are within. A test compares them with the record. That of the film is for surfaces that stay
-cold; `WARM_BAR`, `UNLIKE_BAR` and `SLIP_BAR` come besides."""
-WARM_BAR, UNLIKE_BAR = 0.02, 0.02
-"""More relative error of the film, times beta times the rise of the surfaces; the second also times
-the difference of the effusivities over their sum."""
-SLIP_BAR = 0.2
-"""More relative error of the film, times what sliding makes of the inlet: its factor in pure
-rolling over its factor, less 1. Of 146 drawn films with beta times the rise of the surfaces above
-1, 21 were outside their error without it and without that of an unknown density, by up to 3.5
-times, and 4 are with both."""
+FRICTION_BAR, COLD_BAR = 0.12, 0.015
+"""Relative errors of friction with and without heat: 95 % of contacts held out are within. A test
+compares them with the record. Errors of films are those of :func:`film_error`."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
 """Of :func:`wedge` in the film. Fitted to 187 contacts of unlike bodies, whose films are within
 0.08 for 95 % of them, without 0.14."""
-CONSTRICTION_LINE, CONSTRICTION_ELLIPSE = 0.15, 0.04
-"""The smallest film lies where the oil leaves, after all the heat: over that at the centre it falls
-by 1/(1 + so much beta times the rise of the surfaces). Without this part the smallest films of
-lines were up to 0.9 too large; the same contacts were within the error of the central film."""
-
 RANGES = {
     "load_parameter_m": (5.0, 1500.0),
     "lubricant_parameter_l": (2.0, 20.0),
@@ -54,7 +39,7 @@ RANGES = {
     "eyring_stress_pa": (2e6, 1.5e7),
     "abs(slide_to_roll_ratio)": (0.0, 1.9),
     "film over Hertz approach": (0.0, 0.4),
-    "eta0 beta u^2/k": (0.0, 8.0),
+    "eta0 beta u^2/k": (0.0, 4.0),
     "effusivity of a body": (1.35e3, 1.5e4),
 }
 """Of the contacts that the laws were fitted to; D is 0 (lines) or 0.2 to 1 besides."""
@@ -75,9 +60,9 @@ class Heated:
     minimum_factor : float or None
         Smallest film with heat over that without; None where surfaces slide and their rise is not
         known.
-    film_error : float
-        Of both films, relative: of the laws, which grows with the rise of the surfaces, and what
-        the error of the conductivity makes of it.
+    film_error, minimum_error : float
+        Of the central and the smallest film, relative: of the laws, which grows with the loss by
+        the inlet and the rise of the surfaces, and what the error of the conductivity makes of it.
     friction, isothermal_friction : float or None
         Friction coefficients with and without heat; None in pure rolling and of other oils than
         Ree-Eyring's.
@@ -91,7 +76,8 @@ class Heated:
     film_factor: float
     inlet_factor: float
     minimum_factor: float | None
-    film_error: float = INLET_BAR
+    film_error: float
+    minimum_error: float
     friction: float | None = None
     friction_error: float | None = None
     isothermal_friction: float | None = None
@@ -113,39 +99,6 @@ def thermal_loading(
     given = (viscosity_pa_s, beta_per_k, speed_m_per_s, k)
     eta, beta, u, k = (np.asarray(value, dtype=np.float64) for value in given)
     return np.asarray(eta * beta * u**2 / k)
-
-
-def inlet_factor(
-    loading: ArrayLike,
-    slide_to_roll_ratio: ArrayLike,
-    wall: ArrayLike,
-    coefficients: ArrayLike = INLET_COEFFICIENTS,
-) -> Floats:
-    """Return by what the shear of the inlet thins a film.
-
-    1/(1 + c1 (1 + c3 s^c4) L_T^c2 (1 + c5 B^c6)): the form of Gupta and others with warm surfaces.
-
-    Parameters
-    ----------
-    loading : array_like
-        L_T, as from `thermal_loading`.
-    slide_to_roll_ratio : array_like
-        s, either sign.
-    wall : array_like
-        B, as from `wall_parameter`: how hard it is for heat to go on into the bodies.
-    coefficients : array_like
-        Those of the record.
-
-    Examples
-    --------
-    >>> from ehlwave.laws.heat_laws import inlet_factor
-    >>> inlet_factor([0.0, 0.4], 0.0, 1.0).round(2).tolist()
-    [1.0, 0.74]
-    """
-    c1, c2, c3, c4, c5, c6 = np.asarray(coefficients, dtype=np.float64)
-    given = (loading, slide_to_roll_ratio, wall)
-    x, s, b = (np.asarray(value, dtype=np.float64) for value in given)
-    return np.asarray(1 / (1 + c1 * (1 + c3 * np.abs(s) ** c4) * x**c2 * (1 + c5 * b**c6)))
 
 
 def wedge(heat: Heat, slide_to_roll_ratio: float, rise_surfaces_k: float) -> float:
@@ -249,21 +202,29 @@ def warmed(
     u, error = float(given["mean_speed_m_per_s"]), heat.oil_conductivity_error
     over_c = film_m / float(conditions.hertz_approach_c_m or np.nan)
 
-    def inlet_of(heat: Heat, ratio: float = ratio) -> float:
+    def inlet_of(heat: Heat) -> float:
         wall = wall_parameter(heat, film_m, conditions.semi_axis_a_m, u)
-        return float(inlet_factor(loading_of(conditions, heat), ratio, wall))
+        numbers = loading_of(conditions, heat), ratio, wall, over_c, conditions.l, conditions.alphabar
+        return float(inlet_factor(*numbers, conditions.is_line))
+
+    def smallest_of(warmth: float) -> float:
+        return float(smallest_factor(inlet, warmth, over_c, conditions.is_line))
+
+    def errors_of(warmth: float) -> tuple[float, float]:
+        both = (float(film_error(inlet, warmth, of)) for of in ("central", "smallest"))
+        central, smallest = (one + by_data for one in both)
+        return central, smallest
 
     inlet, loading = inlet_of(heat), loading_of(conditions, heat)
-    ends = (inlet_of(_conducting(heat, 1 + e)) for e in (-error, error))
-    film_error = INLET_BAR + max(abs(end / inlet - 1) for end in ends)
-    film_error += SLIP_BAR * (inlet_of(heat, 0.0) / inlet - 1)
+    by_data = max(abs(inlet_of(_conducting(heat, 1 + e)) / inlet - 1) for e in (-error, error))
     if ratio == 0:
-        return Heated(inlet, inlet, inlet, film_error)
+        return Heated(inlet, inlet, inlet * smallest_of(0.0), *errors_of(0.0))
     if eyring_stress_pa is None:  # it warms no more than an oil that does not thin
         hot = shear_warm(sliding_film(conditions, NEWTONIAN_PA, film_m * inlet), heat)
-        bodies = abs(wedge(heat, ratio, hot.rise_surfaces_k) ** WEDGE_POWER - 1)
-        film_error += max(bodies, _thicker(heat, hot) - 1)
-        return Heated(inlet, inlet, None, film_error + _warm_error(heat, hot.rise_surfaces_k))
+        by_data += abs(wedge(heat, ratio, hot.rise_surfaces_k) ** WEDGE_POWER - 1)
+        by_data += _thicker(heat, hot) - 1
+        warmth = heat.viscosity_temperature_per_k * hot.rise_surfaces_k
+        return Heated(inlet, inlet, None, *errors_of(warmth))
     case = sliding_film(conditions, eyring_stress_pa, film_m)
 
     def factor(found: Sheared, film: float, warmth: float) -> float:
@@ -284,12 +245,11 @@ def warmed(
         return found.friction * factor(found, one.film_m / film_m, loading_of(conditions, other))
 
     warmth = heat.viscosity_temperature_per_k * warm.rise_surfaces_k
-    constriction = CONSTRICTION_LINE if conditions.is_line else CONSTRICTION_ELLIPSE
     return Heated(
         film,
         inlet,
-        dense / (1 + constriction * warmth),
-        film_error + _warm_error(heat, warm.rise_surfaces_k),
+        film * smallest_of(warmth),
+        *errors_of(warmth),
         warm.friction * factor(warm, film, loading),
         FRICTION_BAR + error_by_data(conditions, case_warm, friction, error),
         cold.friction * factor(cold, 1.0, 0.0),
@@ -301,14 +261,6 @@ def warmed(
 def _thicker(heat: Heat, found: Sheared) -> float:
     """Return by what a film grows as its oil expands, over that of the cold oil."""
     return 1 / (1 - min(heat.oil_expansion_per_k * found.rise_mean_k, 0.5))
-
-
-def _warm_error(heat: Heat, rise_surfaces_k: float) -> float:
-    """Return the part of the error of a film that grows with the rise of the surfaces."""
-    first, second = (body.effusivity for body in heat.bodies)
-    unlike = abs(first - second) / (first + second)
-    warmth = heat.viscosity_temperature_per_k * rise_surfaces_k
-    return (WARM_BAR + UNLIKE_BAR * unlike) * warmth
 
 
 def _conducting(heat: Heat, factor: float) -> Heat:

@@ -9,6 +9,7 @@ import numpy as np
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
+from ehlwave.contact.scales import moes_per_film
 from ehlwave.contact.starvation import WAVES_TEXT, is_fitted
 from ehlwave.contact.two_waves import SLIP_ERRORS, two_waves
 from ehlwave.errors import RangeError
@@ -20,6 +21,7 @@ from ehlwave.laws.atlas.chart import Chart
 from ehlwave.laws.atlas.coordinates import wave_components
 from ehlwave.laws.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
 from ehlwave.laws.atlas_transfer import with_atlas_film
+from ehlwave.laws.sheared_ridges import ridges_under_slip
 from ehlwave.laws.starved_transfer import StarvedTransfer
 from ehlwave.laws.two_wave_transfer import TwoWaveTransfer
 
@@ -72,8 +74,16 @@ def response_of(
             raise
         return _under_slip(conditions, wavelength_over_a, angle_deg, own_atlas)
     found = chart.responses(wavelength_over_a, angle_deg)
-    film, pressure = complex(found.film), complex(found.pressure)
-    return Response(film, pressure, float(found.error), chart.source)
+    film, pressure, error = complex(found.film), complex(found.pressure), float(found.error)
+    if conditions.has_atlas or conditions.oil.name == "Newtonian":
+        return Response(film, pressure, error, chart.source)
+    reasons = TwoWaveTransfer(conditions).reasons()
+    if reasons:
+        raise RangeError(f"{'; '.join(reasons)}; compute it (ehlwave.Case){see('slip')}")
+    height = chart.film().central_moes / moes_per_film(conditions.m, conditions.kappa)
+    ridges, bar = ridges_under_slip(conditions, height, wavelength_over_a, film, error)
+    source = f"{chart.source}, ridges by the law of slip"
+    return Response(complex(ridges), complex(math.nan, math.nan), float(bar), source)
 
 
 def _under_slip(
