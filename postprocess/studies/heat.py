@@ -15,10 +15,10 @@ from ehlwave.contact import Conditions, conditions_from_keys
 from ehlwave.contact.heat_data import BodyHeat, Heat
 from ehlwave.laws.heat_laws import (
     FRICTION_COEFFICIENTS,
+    WEDGE_POWER,
     friction_factor,
     sliding_film,
     thermal_loading,
-    WEDGE_POWER,
     wall_parameter,
     wedge,
 )
@@ -204,7 +204,6 @@ def report(folder: Path) -> None:
     table = usable(folder)
     write_rows(folder / "contacts.csv", table.to_dict("records"), digits=5)
     fold = np.random.default_rng(1).permutation(len(table)) % FOLDS
-    s = table["ratio"].to_numpy()
 
     rows = [_row("film, Gupta", None, gupta(table) - table["film"].to_numpy())]
     of_law = (table["loading"] <= FITTED_LOADING).to_numpy()

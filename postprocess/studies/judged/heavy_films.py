@@ -100,7 +100,9 @@ def fit(table: pd.DataFrame) -> tuple[dict[str, list[float]], list[Row]]:
     own = 0.5 * table["minimum_error"].to_numpy()
     central = table["central_law_error"].to_numpy()
     corrected = np.maximum(np.abs(np.expm1(off)) - own, 0)
-    error = max(float(np.quantile(corrected - central, WITHIN)), float(corrected.max() / 1.5 - 0.02))
+    error = max(
+        float(np.quantile(corrected - central, WITHIN)), float(corrected.max() / 1.5 - 0.02)
+    )
     coefficients = _solved(a, y)
     before = np.maximum(np.abs(np.expm1(-y)) - own, 0)
     table_rows = [
@@ -114,7 +116,9 @@ def fit(table: pd.DataFrame) -> tuple[dict[str, list[float]], list[Row]]:
 def _solved(a: Floats, y: Floats) -> Floats:
     """Return least squares coefficients, held a little to zero."""
     damped = np.concatenate([a, RIDGE * np.eye(a.shape[1])])
-    found: Floats = np.linalg.lstsq(damped, np.concatenate([y, np.zeros(a.shape[1])]), rcond=None)[0]
+    found: Floats = np.linalg.lstsq(damped, np.concatenate([y, np.zeros(a.shape[1])]), rcond=None)[
+        0
+    ]
     return found
 
 

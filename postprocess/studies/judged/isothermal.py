@@ -22,7 +22,8 @@ RANGES = {
 LINES = {"load_parameter_m": (2.0, 1000.0)}
 SLENDER = {"load_parameter_m": (2000.0, 10000.0), "radius_ratio_d": (0.018, 0.1)}
 EYRING_PA, MODULUS_PA, WAVES = (1e6, 2e7), 2.26e11, (0.25, 3.0)
-SIZES, FEWEST_POINTS, LINE_CELLS, LENGTH = (256, 384), 16, 2048, 4.0
+SIZES, FEWEST_POINTS, LENGTH = (256, 384), 16, 4.0
+LINE_GRID = {"cells_x": 3072, "x_min": -6.0, "x_max": 2.0}
 WAVE_KEYS = ("wavelength_over_a", "angle_deg")
 
 
@@ -58,7 +59,7 @@ def study(number: int, folder: Path) -> Row:
     need = FEWEST_POINTS * LENGTH / min(length for length in waves.values() if length > 0)
     cells = next((n for n in SIZES if n >= need), SIZES[-1])
     is_line = keys["radius_ratio_d"] == 0
-    grid = {"cells_x": LINE_CELLS} if is_line else {"cells_x": cells, "cells_y": cells}
+    grid: Row = LINE_GRID if is_line else {"cells_x": cells, "cells_y": cells}
     found = solved(
         groups_of(
             keys,
@@ -96,7 +97,7 @@ def study(number: int, folder: Path) -> Row:
 
 
 def times(row: Row, name: str, own: float = 1.0) -> float:
-    """Return how far the package is off over its error, with a share of the computed one's error."""
+    """Return how far the package is off over its error, with a share `own` of the computed one."""
     law, more = row.get(f"{name}_law_error"), row.get(f"{name}_own")
     if law is None or more is None:
         return math.nan

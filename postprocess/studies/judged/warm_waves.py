@@ -57,9 +57,9 @@ def drawn(number: int) -> Row:
 def study(number: int, folder: Path) -> Row:
     """Return the film and the response of a wave with temperatures frozen and carried."""
     row = drawn(number)
-    given = {
-        k: v for k, v in heat._keys(row).items() if k != "slide_to_roll_ratio"
-    } | {"slip_parameter": row["slip_parameter"]}
+    given = {k: v for k, v in heat._keys(row).items() if k != "slide_to_roll_ratio"} | {
+        "slip_parameter": row["slip_parameter"]
+    }
     own = [name for name in row if name.startswith(("body", "viscosity_temp", "oil_"))]
     warm = {name: row[name] for name in own}
     waves = pattern(row["wavelength_over_a"], row["angle_deg"])

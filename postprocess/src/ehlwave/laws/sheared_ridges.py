@@ -5,13 +5,13 @@ drives oil across it: with the flow along Y of :class:`ehlwave.contact.medium.Me
 
     d(h - 1)/dX = -r (h - 1),    r = eps_y ky^2/(rho W + rho' H),
 
-R is the response in pure rolling, which has the flow of the same oil without slip. What slip adds is
-the integral I of the difference of both rates under the Hertz pressure, from X = -0.9 to the centre:
+R is the response in pure rolling, which has the flow of the same oil without slip. Slip adds the
+integral I of the difference of both rates under the Hertz pressure, from X = -0.9 to the centre:
 
     h = 1 - (1 - R) exp(-c1 I^c2)
 
 In a Newtonian oil slip changes no rate, so that h = R. c1, c2 and the error are those of
-``scripts/study sheared-waves``, which writes ``sheared_ridges.json``.
+``scripts/study judged``, which writes ``sheared_ridges.json``.
 """
 
 import json
@@ -102,7 +102,8 @@ def ridges_under_slip(
     """
     gain = gained(conditions, film, wavelength_over_a)
     found = regained(rolling, gain)
-    return found, np.asarray(rolling_error + error_of(np.abs(found - rolling)))
+    before, error = np.asarray(rolling, complex), np.asarray(rolling_error, float)
+    return found, np.asarray(error + error_of(np.abs(found - before)))
 
 
 def error_of(change: ArrayLike, coefficients: Sequence[float] | Floats | None = None) -> Floats:

@@ -33,7 +33,8 @@ class TwoWaveTransfer(LawBasis):
     """Amplitude and phase by the law of the two waves, and by its rolling transfer where S = 1.
 
     Ridges along rolling stand still: they have the amplitude of pure rolling, and what an oil that
-    thins adds (:mod:`ehlwave.laws.sheared_ridges`). The ratio of the mean is 0: the load moves the bodies until it is carried.
+    thins adds (:mod:`ehlwave.laws.sheared_ridges`). The ratio of the mean is 0: the load moves the
+    bodies until it is carried.
 
     Raises
     ------

@@ -1,8 +1,8 @@
 """Central and smallest films of warm contacts over those without heat, and their errors.
 
-The shear of the inlet warms its oil, which thins both films. It thins the constriction less, so that
-the smallest film comes near the central one. The heat of sliding, which reaches the outlet alone,
-thins the smallest film. Coefficients and errors are those of ``scripts/study heat``, which writes
+The shear of the inlet warms its oil, which thins both films. It thins the constriction less, so
+that the smallest film comes near the central one. The heat of sliding reaches the outlet alone,
+where it thins the smallest film. Coefficients and errors are those of ``scripts/study heat``, which writes
 ``warm_films.json``.
 """
 

@@ -1,13 +1,13 @@
 """Waves in warm contacts, whose temperatures move with the oil.
 
-A warm inlet is an inlet of thinner oil: the response R1 of the isothermal contact whose film is as
-thin as the warm one stands for it. The heat of sliding besides leaves waves nearer to the isothermal
+A warm inlet is an inlet of thinner oil: the response R1 of the isothermal contact whose film is
+as thin as the warm one stands for it. Sliding besides leaves waves nearer to the isothermal
 response R0:
 
     R = R0 + (R1 - R0)/(1 + c w),   error = (error of R1) + e1 |R1 - R0| + e2 min(w, 3),
 
 w = beta times the rise in the middle of the film, 0 in pure rolling. c, e1 and e2 were fitted to
-marches that carry temperatures with the oil, ``scripts/study warm-waves``, which writes
+marches that carry temperatures with the oil, ``scripts/study judged``, which writes
 ``warm_waves.json``.
 """
 
@@ -74,7 +74,7 @@ def warm_ratio(
 def warm_error(
     change: ArrayLike, warmth: ArrayLike, coefficients: Sequence[float] | Floats | None = None
 ) -> Floats:
-    """Return what the error of R has besides the error of R1, by \\|R1 - R0\\| and w."""
+    """Return what the error of R has besides the error of R1, by the size of R1 - R0 and w."""
     e = fitted()["error"] if coefficients is None else coefficients
     return np.asarray(e[0] * np.abs(change) + e[1] * np.minimum(warmth, MOST_WARMTH))
 
@@ -91,7 +91,7 @@ def warmth_of(film: Film, heat: Heat, slip: float) -> float:
         return 0.0
     if film.heated.friction is None:
         raise RangeError(
-            "responses under slip with heat are known of Ree-Eyring oils (eyring_stress_pa): compute "
+            "responses under slip with heat need a Ree-Eyring oil (eyring_stress_pa), or compute "
             "the contact with ehlwave-case, &heat wave_temperatures = 'carried'"
         )
     return float(heat.viscosity_temperature_per_k * film.heated.rise_mid_film_k)
@@ -99,10 +99,8 @@ def warmth_of(film: Film, heat: Heat, slip: float) -> float:
 
 def warm_response(cold: Response, thin: Response, warmth: float) -> Response:
     """Return the response of a warm contact by both isothermal ones."""
-    film, pressure = (
-        complex(warm_ratio(*pair, warmth))
-        for pair in ((cold.film, thin.film), (cold.pressure, thin.pressure))
-    )
+    film = complex(warm_ratio(cold.film, thin.film, warmth))
+    pressure = complex(warm_ratio(cold.pressure, thin.pressure, warmth))
     error = thin.error + float(warm_error(abs(thin.film - cold.film), warmth))
     source = f"{cold.source}, with the law of warm waves"
     return replace(cold, film=film, pressure=pressure, error=error, source=source)
@@ -133,8 +131,8 @@ class WarmTransfer:
 
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
         """Return the transfer for waves per metre along x (any sign) and y (not negative)."""
-        both = (one.ratio(per_length_x, per_length_y) for one in (self.cold, self.thin))
-        return warm_ratio(*both, self.warmth)
+        cold, thin = (one.ratio(per_length_x, per_length_y) for one in (self.cold, self.thin))
+        return warm_ratio(cold, thin, self.warmth)
 
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
         """Return what waves add to the mean film of the contact with the thinner oil."""

@@ -1,9 +1,9 @@
 """Correction of the smallest films of the wide atlas of contacts that roll.
 
-The grids of that atlas resolve central films; the constriction beside them is narrower, and its film
-comes out too thick. ln of the right film over the film of the atlas is a cubic polynomial in
+The grids of that atlas resolve central films; the constriction beside them is narrower, and its
+film comes out too thick. ln of the right film over the film of the atlas is a cubic polynomial in
 ln(M/1000), ln(L/10) and ln(D/0.1), fitted to computed contacts on finer grids by
-``scripts/study heavy-films``, which writes ``constriction.json``.
+``scripts/study judged``, which writes ``constriction.json``.
 """
 
 import json
