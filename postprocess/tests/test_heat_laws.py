@@ -69,8 +69,9 @@ def test_coefficients_and_bars_are_those_of_the_record() -> None:
         laws = {row["law"]: row for row in csv.DictReader(file)}
     used = FRICTION_COEFFICIENTS
     assert used == tuple(float(laws["friction"][f"c{i + 1}"]) for i in range(len(used)))
-    for name, bar in {"friction": FRICTION_BAR, "friction without heat": COLD_BAR}.items():
-        assert 0.85 * bar < float(laws[name]["within_95"]) < bar, name
+    assert 0.85 * FRICTION_BAR < float(laws["friction"]["within_95"]) < FRICTION_BAR
+    # The independent solver asks for more than the record.
+    assert float(laws["friction without heat"]["within_95"]) < COLD_BAR
 
 
 @pytest.mark.parametrize("name", ["central", "smallest"])

@@ -22,9 +22,11 @@ Floats = NDArray[np.float64]
 
 FRICTION_COEFFICIENTS = (0.25537, 0.67337, 0.25624, 0.42594, 0.23419, 0.36664, 56.145)
 """Of :func:`friction_factor`."""
-FRICTION_BAR, COLD_BAR = 0.12, 0.015
+FRICTION_BAR, COLD_BAR = 0.12, 0.03
 """Relative errors of friction with and without heat: 95 % of contacts held out are within. A test
 compares them with the record. Errors of films are those of :func:`film_error`."""
+ELLIPSE_BAR = 0.05
+"""More relative error of friction in ellipses, of which 4 of 32 fresh draws were outside without."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
@@ -258,7 +260,9 @@ def warmed(
         film * smallest_of(warmth),
         *errors_of(warmth),
         warm.friction * factor(warm, film, loading),
-        FRICTION_BAR + error_by_data(conditions, case_warm, friction, error),
+        FRICTION_BAR
+        + (0 if conditions.is_line else ELLIPSE_BAR)
+        + error_by_data(conditions, case_warm, friction, error),
         cold.friction * factor(cold, 1.0, 0.0),
         warm.rise_mid_film_k,
         warm.rise_surfaces_k,

@@ -2,8 +2,8 @@
 
 The shear of the inlet warms its oil, which thins both films. It thins the constriction less, so
 that the smallest film comes near the central one. The heat of sliding reaches the outlet alone,
-where it thins the smallest film. Coefficients and errors are those of ``scripts/study heat``, which writes
-``warm_films.json``.
+where it thins the smallest film. Coefficients and errors are those of
+``scripts/study heat``, which writes ``warm_films.json``.
 """
 
 import json
@@ -61,7 +61,7 @@ def inlet_factor(
     --------
     >>> from ehlwave.laws.warm_films import inlet_factor
     >>> inlet_factor([0.0, 0.4], 0.0, 1.0, 0.1, 10.0, 15.0, False).round(1).tolist()
-    [1.0, 0.8]
+    [1.0, 0.7]
     """
     c = fitted()["inlet"] if coefficients is None else coefficients
     given = (loading, slide_to_roll_ratio, wall, film_over_approach, lubricant_l, alphabar)
