@@ -18,12 +18,10 @@ from ehlwave.laws.heat_laws import (
     WEDGE_POWER,
     friction_factor,
     sliding_film,
-    thermal_loading,
-    wall_parameter,
     wedge,
 )
+from ehlwave.laws.inlet_warming import inlet_factor, thermal_loading, wall_parameter
 from ehlwave.laws.sheared_film import Sheared, shear_isothermal, shear_warm
-from ehlwave.laws.warm_films import inlet_factor
 from ehlwave.results.figures import write_figure
 from ehlwave.writing import Writer
 from studies import heat_films
@@ -33,7 +31,7 @@ from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
 Floats = NDArray[np.float64]
 
 RANGES = {
-    "radius_x_m": (4e-3, 1e-1),
+    "radius_x_m": (4e-3, 4e-2),
     "reduced_modulus_pa": (1.1e11, 3.2e11),
     "hertz_pa": (3e8, 1.8e9),
     "mean_speed_m_per_s": (0.2, 30.0),
@@ -51,11 +49,15 @@ EVEN_RANGES = {
     "oil_conductivity_w_per_m_k": (0.11, 0.17),
     "oil_heat_capacity_j_per_kg_k": (1700.0, 2400.0),
 }
+ROLLING_SHARE = 0.3
+UNLIKE_SHARE = 0.3
+"""Of contacts whose second body conducts otherwise."""
+WIDE_RADII, WIDE_UNLIKE_SHARE = (4e-3, 1e-1), 0.5
+"""Of the contacts of this study."""
 LINE_CELLS = 12
 """Cells of a line contact over those of a point contact."""
-ROLLING_SHARE = 0.3
-UNLIKE_SHARE = 0.5
-"""Of contacts whose second body conducts otherwise."""
+FITTED_LOADING = 4.0
+"""Largest L_t of the contacts that the laws are fitted to."""
 LOADS, OILS = (5.0, 1500.0), (2.0, 20.0)
 """M and L of the contacts that are taken."""
 DENSITY, EXPANSION = 870.0, 7e-4
@@ -65,33 +67,33 @@ ROBUST = {"loss": "soft_l1", "f_scale": 0.03}
 """How laws are fitted."""
 LARGEST_ERROR = 0.03
 """Of films and friction of computed contacts; coarser ones are left out."""
-FITTED_LOADING = 4.0
-"""Largest L_T of the contacts that the laws of films are fitted to."""
 THICKEST = 0.4
 """Film by the formula over the Hertz approach; thicker ones are rather rigid."""
 
 
-def contact(rng: np.random.Generator, is_line: bool) -> Row:
-    """Return one contact drawn from the ranges; of a point D besides."""
+def contact(rng: np.random.Generator, is_line: bool, is_wide: bool = False) -> Row:
+    """Return one contact drawn from the ranges, or the wide ones; of a point D besides."""
+    radii = {"radius_x_m": WIDE_RADII} if is_wide else {}
+    unlike = WIDE_UNLIKE_SHARE if is_wide else UNLIKE_SHARE
     row: Row = {
-        name: low * (high / low) ** rng.random() for name, (low, high) in RANGES.items()
+        name: low * (high / low) ** rng.random() for name, (low, high) in (RANGES | radii).items()
     } | {name: low + (high - low) * rng.random() for name, (low, high) in EVEN_RANGES.items()}
     if rng.random() < ROLLING_SHARE:
         row["slide_to_roll_ratio"] = 0.0
     other = row["body_conductivity_w_per_m_k"]
-    if rng.random() < UNLIKE_SHARE:
+    if rng.random() < unlike:
         low, high = RANGES["body_conductivity_w_per_m_k"]
         other = low * (high / low) ** rng.random()
     row["body2_conductivity_w_per_m_k"] = other
     hertz, load = row.pop("hertz_pa"), "load_n_per_m" if is_line else "load_n"
     if not is_line:
         row["radius_y_m"] = row["radius_x_m"] / 0.2 ** rng.random()
-    one = conditions_from_keys({**_keys(row), load: 1.0}).hertz_pa
+    one = conditions_from_keys({**dimensional_keys(row), load: 1.0}).hertz_pa
     row[load] = (hertz / one) ** (2 if is_line else 3)
     return {name: float(f"{value:.4g}") for name, value in row.items()}
 
 
-def _keys(row: Mapping[str, float]) -> dict[str, float]:
+def dimensional_keys(row: Mapping[str, float]) -> dict[str, float]:
     """Return what conditions are given by."""
     names = (
         *("radius_x_m", "radius_y_m", "reduced_modulus_pa", "load_n", "load_n_per_m"),
@@ -106,8 +108,8 @@ def contacts(count: int, is_line: bool) -> list[Row]:
     rng = np.random.default_rng(38 + is_line)
     rows: list[Row] = []
     while len(rows) < count:
-        row = contact(rng, is_line)
-        c = conditions_from_keys(_keys(row))
+        row = contact(rng, is_line, is_wide=True)
+        c = conditions_from_keys(dimensional_keys(row))
         film = (c.central_film_m or math.nan) / (c.hertz_approach_c_m or math.nan)
         if LOADS[0] <= c.m <= LOADS[1] and OILS[0] <= c.l <= OILS[1] and film < THICKEST:
             rows.append(row)
@@ -124,9 +126,8 @@ def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
     grids["points"] = grid | {"cells_x": cells, "cells_y": cells}
     for name, count in (("lines", lines), ("points", points)):
         rows = contacts(count, is_line=name == "lines")
-        groups = {"lubricant": oil, "heat": heat, "grid": grids[name]}
-        write_sweep(folder, name, rows, groups)
-        cold = [{key: row[key] for key in _keys(row)} for row in rows]
+        write_sweep(folder, name, rows, {"lubricant": oil, "heat": heat, "grid": grids[name]})
+        cold = [dimensional_keys(row) for row in rows]
         write_sweep(folder, f"{name}_cold", cold, {"lubricant": oil, "grid": grids[name]})
 
 
@@ -149,7 +150,9 @@ def usable(folder: Path) -> pd.DataFrame:
 
 def _compared(case: Row, ratio: float) -> Row:
     """Return what laws take of a contact, and what they are compared with."""
-    given = _keys({k: v for k, v in case.items() if not (isinstance(v, float) and math.isnan(v))})
+    given = dimensional_keys(
+        {k: v for k, v in case.items() if not (isinstance(v, float) and math.isnan(v))}
+    )
     c = conditions_from_keys(given)
     bodies = (case[f"{name}_conductivity_w_per_m_k"] for name in ("body", "body2"))
     named = (name for name in EVEN_RANGES if name not in given)
@@ -171,12 +174,11 @@ def _compared(case: Row, ratio: float) -> Row:
         "ratio": ratio,
         "loading": float(thermal_loading(case["viscosity_pa_s"], beta, u, k)),
         "wall": wall_parameter(heat, film_m, c.semi_axis_a_m, u),
+        "film_over_approach": film_m / (c.hertz_approach_c_m or math.nan),
+        "radius_ratio_d": c.d,
         "film": warm_m / film_m,
-        "thickness": film_m / (c.hertz_approach_c_m or math.nan),
-        "oil_l": c.l,
-        "alphabar": c.alphabar,
         "warmth": beta * walls if ratio else 0.0,
-        "inlet_alone": warm_m / film_m * (1 - EXPANSION * mean) / thicker,
+        "inlet": warm_m / film_m * (1 - EXPANSION * mean) / thicker,
         "hertz_over_modulus": c.hertz_pa / case["reduced_modulus_pa"],
         "rise_mid_film_k": case["central_rise_mid_film_k"],
         "friction": case["friction_coefficient"],
@@ -200,14 +202,18 @@ def _sheared(c: Conditions, heat: Heat, tau0: float, film_m: float, warm_m: floa
 
 
 def report(folder: Path) -> None:
-    """Fit the laws; write laws.csv, contacts.csv and a figure; print a line for each law."""
+    """Fit the laws of friction and of smallest films; judge the law of the inlet.
+
+    Writes laws.csv, films.csv, contacts.csv and a figure; prints a line for each law.
+    """
     table = usable(folder)
     write_rows(folder / "contacts.csv", table.to_dict("records"), digits=5)
     fold = np.random.default_rng(1).permutation(len(table)) % FOLDS
-
+    names = ("loading", "ratio", "wall", "film_over_approach", "radius_ratio_d")
+    inlet = inlet_factor(*(table[name].to_numpy() for name in names))
     rows = [_row("film, Gupta", None, gupta(table) - table["film"].to_numpy())]
     of_law = (table["loading"] <= FITTED_LOADING).to_numpy()
-    films, found = heat_films.fit(table[of_law], fold[of_law])
+    films, found = heat_films.fit(table[of_law].assign(law=inlet[of_law]), fold[of_law])
     heat_films.write(found)
     write_rows(folder / "films.csv", films, digits=5)
     for film in films:
@@ -233,9 +239,7 @@ def report(folder: Path) -> None:
             f"{row['within_95']:.4f}, largest {row['largest']:.3f}; "
             + ", ".join(f"{row[f'c{i}']:.4g}" for i in range(1, 8) if f"c{i}" in row)
         )
-    parts = ("loading", "ratio", "wall", "thickness", "oil_l", "alphabar", "is_line")
-    law = inlet_factor(*(table[name].to_numpy() for name in parts), found["inlet"])
-    _draw(folder, table, law, both, errors)
+    _draw(folder, table, inlet, both, errors)
 
 
 _FACTOR = ("thickness", "is_line", "stress", "warmth", "ratio")
@@ -280,7 +284,7 @@ def _draw(
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4.2), layout="constrained")
     left.plot([0.2, 1], [0.2, 1], color="0.7")
     left.scatter(gupta(table), table["film"], s=7, color="0.6", label="Gupta and others")
-    left.scatter(inlet, table["inlet_alone"], s=7, label="law of the inlet")
+    left.scatter(inlet, table["inlet"], s=7, label="law of the inlet")
     left.set(xlabel="film with heat over without, by the law", ylabel="computed")
     left.legend(frameon=False)
     y = both["computed"].to_numpy()
@@ -299,7 +303,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser("a step of scripts/study heat", description=__doc__)
     parser.add_argument("step", choices=("cases", "report"))
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--lines", type=int, default=2000)
+    parser.add_argument("--lines", type=int, default=1200)
     parser.add_argument("--points", type=int, default=600)
     parser.add_argument("--cells", type=int, default=128)
     return run_command(parser, _run, arguments)

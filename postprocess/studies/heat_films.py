@@ -1,4 +1,4 @@
-"""Fits of the films of warm contacts: the inlet, the smallest film, and errors that hold."""
+"""Fit of the smallest films of warm contacts, and errors of both films that hold."""
 
 import json
 from itertools import product
@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from ehlwave.laws.warm_films import inlet_factor, smallest_factor
+from ehlwave.laws.warm_films import smallest_factor
 from ehlwave.writing import Writer
 from studies.folds import held_out
 from studies.sweeps import Row
@@ -16,28 +16,21 @@ from studies.sweeps import Row
 Floats = NDArray[np.float64]
 
 ROBUST = {"loss": "soft_l1", "f_scale": 0.015}
-INLET_START = (0.13, 0.965, 1.07, 2.3, 10.0, 0.885, 0.32, -0.65, 1.78, -0.37, 0.52, -1.3)
 SMALLEST_START = (0.4, 0.0, 1.0, 0.0, 0.15, -0.5, 1.0)
 PACKAGE = Path(__file__).resolve().parents[1] / "src/ehlwave/laws/warm_films.json"
-STEPS = np.array([0.004, 0.006, 0.008, 0.012, 0.016, 0.02, 0.03]), np.linspace(0.24, 0.4, 17)
+STEPS = np.array([0.004, 0.006, 0.008, 0.012, 0.016, 0.02, 0.03]), np.linspace(0.0, 0.5, 51)
 MOST_WARM_STEPS = np.linspace(0, 0.2, 21)
+LEAST_BY_LOSS = 0.2
+"""Of e1 of smallest films: heavy lines are fewer in the sample than their error asks for."""
 WITHIN, FAR, MOST_FAR = 0.955, 1.5, 0.01
 """Share of each kind of contact within the error, and at most so many beyond so many times."""
 
 
 def fit(table: pd.DataFrame, fold: NDArray[np.intp]) -> tuple[list[Row], dict[str, list[float]]]:
     """Return a row for each law, with errors of contacts held out, and all coefficients."""
-    parts = ("loading", "ratio", "wall", "thickness", "oil_l", "alphabar", "is_line")
-    columns = [table[name].to_numpy(dtype=float) for name in parts]
-    w, h, is_line = (
-        table[name].to_numpy(dtype=float) for name in ("warmth", "thickness", "is_line")
-    )
-    target = np.log(table["inlet_alone"].to_numpy())
-    start = np.array(INLET_START)
-    inlet_best, inlet_off = held_out(
-        lambda p: np.log(inlet_factor(*columns, p)), target, start, fold, **ROBUST
-    )
-    law = inlet_factor(*columns, inlet_best)
+    w, h, law = (table[name].to_numpy() for name in ("warmth", "film_over_approach", "law"))
+    is_line = table["is_line"].to_numpy(dtype=float)
+    central = law / table["inlet"].to_numpy() - 1
     known = table["smallest"].notna().to_numpy()
     nearer = np.log((table["smallest"] / table["film"]).to_numpy()[known])
     smallest_best, smallest_off = held_out(
@@ -49,13 +42,11 @@ def fit(table: pd.DataFrame, fold: NDArray[np.intp]) -> tuple[list[Row], dict[st
     )
     kinds = 2 * is_line + (table["ratio"].to_numpy() > 0)
     loss = 1 / law - 1
-    central = np.expm1(inlet_off)
-    smallest = np.expm1(inlet_off[known] + smallest_off)
+    smallest = (1 + central[known]) * np.exp(smallest_off) - 1
     found = {
-        "inlet": inlet_best,
         "smallest": smallest_best,
         "central_error": error_of(central, loss, w, kinds),
-        "smallest_error": error_of(smallest, loss[known], w[known], kinds[known]),
+        "smallest_error": error_of(smallest, loss[known], w[known], kinds[known], LEAST_BY_LOSS),
     }
     rows = []
     for name, off in (("central", central), ("smallest", smallest)):
@@ -66,13 +57,12 @@ def fit(table: pd.DataFrame, fold: NDArray[np.intp]) -> tuple[list[Row], dict[st
     return rows, digits
 
 
-def error_of(off: Floats, loss: Floats, warmth: Floats, kinds: Floats) -> Floats:
-    """Return e0, e1 and e2 of the smallest mean error that holds for each kind of contact.
-
-    e1 has a least value: single contacts that lose much lie outside the drawn ones' errors.
-    """
+def error_of(
+    off: Floats, loss: Floats, warmth: Floats, kinds: Floats, least_by_loss: float = 0.0
+) -> Floats:
+    """Return e0, e1 and e2 of the smallest mean error that holds for each kind of contact."""
     best, least = np.array([np.nan] * 3), np.inf
-    for e in product(STEPS[0], STEPS[1], MOST_WARM_STEPS):
+    for e in product(STEPS[0], STEPS[1][STEPS[1] >= least_by_loss], MOST_WARM_STEPS):
         error = e[0] + e[1] * loss + e[2] * warmth
         if error.mean() >= least:
             continue

@@ -88,3 +88,21 @@ def test_waves_under_slip_with_heat_need_an_eyring_oil() -> None:
     heat = ehlwave.Heat(313.15, 0.042, 0.14, 2000, 870)
     with pytest.raises(RangeError, match="eyring_stress_pa"):
         ehlwave.Contact(**CARREAU, heat=heat).response(0.5)
+
+
+def test_waves_of_a_hot_sliding_ball() -> None:
+    """Isothermal 0.86 + 0.32i; by marches on 96 and 128 cells 0.64 + 0.39i."""
+    heat = ehlwave.Heat(313.15, 0.04, 0.14, 2000, 870)
+    keys = {**CARREAU, "load_n": 60, "mean_speed_m_per_s": 4, "viscosity_pa_s": 0.05}
+    found = ehlwave.Contact(**keys, eyring_stress_pa=5e6, heat=heat).response(0.7)
+    assert abs(found.film - (0.641 + 0.384j)) < found.error < 0.25
+
+
+def test_errors_hold_for_the_contacts_of_the_record() -> None:
+    replaced = {"before", "ridges, rolling", "isothermal"}
+    with (RECORD / "coverage.csv").open() as file:
+        rows = [row for row in csv.DictReader(file) if row["law"] not in replaced]
+    assert len(rows) == 8
+    for row in rows:
+        assert float(row["within"]) >= 0.95, row["law"]
+        assert float(row["beyond_1.5"]) <= 0.01, row["law"]

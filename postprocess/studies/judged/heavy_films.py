@@ -51,15 +51,18 @@ def drawn(number: int) -> dict[str, float]:
 def study(number: int, folder: Path) -> Row:
     """Return films of the package and of the program, Moes scale."""
     keys = drawn(number)
-    film = ehlwave.Contact(**keys).film()
+    contact = ehlwave.Contact(**keys)
+    film = contact.film()
+    chart = contact.atlas().at(contact.conditions.atlas_keys())
+    minimum, minimum_error = chart.smallest_of_networks()
     cells = MORE_CELLS if keys["load_parameter_m"] > HEAVY else CELLS
     grid = {"cells_x": cells[0], "cells_y": cells[1]}
     found = solved(groups_of(keys, grid=grid), folder)
     row: Row = keys | {
         "central_law": film.central_moes,
-        "minimum_law": film.minimum_moes,
+        "minimum_law": minimum,
         "central_law_error": film.central_error,
-        "minimum_law_error": film.minimum_error,
+        "minimum_law_error": minimum_error,
     }
     if found is None:
         return row

@@ -39,11 +39,11 @@ def drawn(number: int) -> Row:
     random = np.random.default_rng([521, number])
     is_line = random.random() < LINE_SHARE
     while True:
-        row = heat.contact(random, is_line)
+        row = heat.contact(random, is_line, is_wide=True)
         ratio = 0.0 if random.random() < ROLLING_SHARE else random.uniform(-MOST_RATIO, MOST_RATIO)
         row["slip_parameter"] = float(f"{1 + ratio / 2:.4g}")
         row["slide_to_roll_ratio"] = 2 * (row["slip_parameter"] - 1)
-        c = conditions_from_keys(heat._keys(row))
+        c = conditions_from_keys(heat.dimensional_keys(row))
         film = (c.central_film_m or np.nan) / (c.hertz_approach_c_m or np.nan)
         if heat.LOADS[0] <= c.m <= heat.LOADS[1] and heat.OILS[0] <= c.l and film < heat.THICKEST:
             break
@@ -57,7 +57,7 @@ def drawn(number: int) -> Row:
 def study(number: int, folder: Path) -> Row:
     """Return the film and the response of a wave with temperatures frozen and carried."""
     row = drawn(number)
-    given = {k: v for k, v in heat._keys(row).items() if k != "slide_to_roll_ratio"} | {
+    given = {k: v for k, v in heat.dimensional_keys(row).items() if k != "slide_to_roll_ratio"} | {
         "slip_parameter": row["slip_parameter"]
     }
     own = [name for name in row if name.startswith(("body", "viscosity_temp", "oil_"))]
@@ -115,6 +115,8 @@ def computed(path: Path, count: int, at_once: int) -> list[Row]:
 
 
 PACKAGE = Path(__file__).resolve().parents[2] / "src/ehlwave/laws/warm_waves.json"
+LEAST_BY_WARMTH = 0.065
+"""Of e2: a ball of 12.5 mm under 60 N at 4 m/s, S = 1.5, tau0 = 5 MPa, 0.7 a, is off by 0.21."""
 MOST_ERROR = 0.12
 """Of a computed response; others are left out."""
 WITHIN, FAR, MOST_FAR = 0.96, 1.5, 0.01
@@ -131,7 +133,7 @@ def compared(rows: Sequence[Row]) -> list[Row]:
         known = row.get("frozen_error", 1.0) < MOST_ERROR
         if not (known and row["film_error"] < LARGEST_FILM_ERROR):
             continue
-        given = {k: v for k, v in heat._keys(row).items() if k != "slide_to_roll_ratio"}
+        given = {k: v for k, v in heat.dimensional_keys(row).items() if k != "slide_to_roll_ratio"}
         given["slip_parameter"] = row["slip_parameter"]
         names = (name for name in heat.EVEN_RANGES if name not in given)
         bodies = (row[f"{name}_conductivity_w_per_m_k"] for name in ("body", "body2"))
@@ -176,7 +178,7 @@ def fit(rows: Sequence[Row]) -> tuple[dict[str, list[float]], list[Row]]:
     off = np.maximum(np.abs(warm_ratio(cold, thin, warmth, best) - true) - 0.5 * own, 0)
     change = np.abs(thin - cold)
     error, least = np.array([np.nan, np.nan]), np.inf
-    for e in product(np.linspace(0, 1, 21), np.linspace(0, 0.2, 41)):
+    for e in product(np.linspace(0, 1, 21), np.linspace(LEAST_BY_WARMTH, 0.2, 28)):
         bars = after + warm_error(change, warmth, e)
         times = off / bars
         holds = np.mean(times <= 1) >= WITHIN and np.mean(times > FAR) <= MOST_FAR

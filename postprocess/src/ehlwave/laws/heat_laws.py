@@ -2,8 +2,8 @@
 
 The inlet is warmed by its own shear, which thins the film; where surfaces slide, the film between
 them is warmed, which makes it easier to shear. Friction is that of :mod:`ehlwave.laws.sheared_film`
-times a factor near 1. Coefficients of both, and the errors of these fits, stand in
-``postprocess/record/heat/laws.csv``.
+times a factor near 1, whose coefficients and errors stand in ``postprocess/record/heat/laws.csv``.
+The warm inlet has a law of its own, :mod:`ehlwave.laws.inlet_warming`.
 """
 
 from copy import copy
@@ -15,18 +15,19 @@ from numpy.typing import ArrayLike, NDArray
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
 from ehlwave.laws.friction_error import error_by_data
+from ehlwave.laws.inlet_warming import inlet_factor, thermal_loading, wall_parameter
 from ehlwave.laws.sheared_film import Sheared, Sliding, shear_isothermal, shear_warm
-from ehlwave.laws.warm_films import film_error, inlet_factor, smallest_factor
+from ehlwave.laws.warm_films import film_error, smallest_factor
 
 Floats = NDArray[np.float64]
 
 FRICTION_COEFFICIENTS = (0.25537, 0.67337, 0.25624, 0.42594, 0.23419, 0.36664, 56.145)
 """Of :func:`friction_factor`."""
 FRICTION_BAR, COLD_BAR = 0.12, 0.03
-"""Relative errors of friction with and without heat: 95 % of contacts held out are within. A test
-compares them with the record. Errors of films are those of :func:`film_error`."""
+"""Relative errors of friction with and without heat: 95 % of contacts held out are within. Errors
+of films are those of :func:`ehlwave.laws.warm_films.film_error`."""
 ELLIPSE_BAR = 0.05
-"""More relative error of friction in ellipses, of which 4 of 32 fresh draws were outside without."""
+"""More relative error of friction in ellipses: without it 4 of 32 fresh ones are outside."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
@@ -87,22 +88,6 @@ class Heated:
     rise_surfaces_k: float = 0.0
 
 
-def thermal_loading(
-    viscosity_pa_s: ArrayLike, beta_per_k: ArrayLike, speed_m_per_s: ArrayLike, k: ArrayLike
-) -> Floats:
-    """Return L_T = eta0 beta u^2/k: about the rise of a film by rolling, times beta.
-
-    Examples
-    --------
-    >>> from ehlwave.laws.heat_laws import thermal_loading
-    >>> print(f"{thermal_loading(0.05, 0.045, 5.0, 0.14):.2f}")
-    0.40
-    """
-    given = (viscosity_pa_s, beta_per_k, speed_m_per_s, k)
-    eta, beta, u, k = (np.asarray(value, dtype=np.float64) for value in given)
-    return np.asarray(eta * beta * u**2 / k)
-
-
 def wedge(heat: Heat, slide_to_roll_ratio: float, rise_surfaces_k: float) -> float:
     """Return by what bodies that conduct heat differently thicken a film, over like ones.
 
@@ -141,17 +126,6 @@ def wedge(heat: Heat, slide_to_roll_ratio: float, rise_surfaces_k: float) -> flo
 
     first, second = (body.effusivity for body in heat.bodies)
     return oil_speed((1, 1)) / oil_speed((first, second))
-
-
-def wall_parameter(heat: Heat, film_m: float, semi_axis_a_m: float, speed_m_per_s: float) -> float:
-    """Return B = (k/h)(a/u)^(1/2) times the mean of one over the effusivities.
-
-    The rise of the surfaces over that of the film, as one flow of heat makes both.
-    """
-    slow = sum(0.5 / body.effusivity for body in heat.bodies)
-    return float(
-        heat.oil_conductivity_w_per_m_k / film_m * (semi_axis_a_m / speed_m_per_s) ** 0.5 * slow
-    )
 
 
 def friction_factor(
@@ -206,15 +180,8 @@ def warmed(
 
     def inlet_of(heat: Heat) -> float:
         wall = wall_parameter(heat, film_m, conditions.semi_axis_a_m, u)
-        numbers = (
-            loading_of(conditions, heat),
-            ratio,
-            wall,
-            over_c,
-            conditions.l,
-            conditions.alphabar,
-        )
-        return float(inlet_factor(*numbers, conditions.is_line))
+        warmth = loading_of(conditions, heat)
+        return float(inlet_factor(warmth, ratio, wall, over_c, conditions.d))
 
     def smallest_of(warmth: float) -> float:
         return float(smallest_factor(inlet, warmth, over_c, conditions.is_line))
@@ -254,15 +221,14 @@ def warmed(
         return found.friction * factor(found, one.film_m / film_m, loading_of(conditions, other))
 
     warmth = heat.viscosity_temperature_per_k * warm.rise_surfaces_k
+    by_shape = 0.0 if conditions.is_line else ELLIPSE_BAR
     return Heated(
         film,
         inlet,
         film * smallest_of(warmth),
         *errors_of(warmth),
         warm.friction * factor(warm, film, loading),
-        FRICTION_BAR
-        + (0 if conditions.is_line else ELLIPSE_BAR)
-        + error_by_data(conditions, case_warm, friction, error),
+        FRICTION_BAR + by_shape + error_by_data(conditions, case_warm, friction, error),
         cold.friction * factor(cold, 1.0, 0.0),
         warm.rise_mid_film_k,
         warm.rise_surfaces_k,

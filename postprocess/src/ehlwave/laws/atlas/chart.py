@@ -147,6 +147,11 @@ class Chart:
         base, ratios = self._references, np.exp(self.film_numbers)
         return float(base[0] * ratios[0]), float(base[1] * ratios[0] * ratios[1])
 
+    def smallest_of_networks(self) -> tuple[float, float]:
+        """Return the smallest film without a correction, not above the central one, its error."""
+        errors = self._networks.film_errors(self._place)[0]
+        return min(self.computed_films()), float(errors[:2].sum()) + self.film_loss
+
     def film(self) -> SmoothFilm:
         """Return the smooth films, and the shear stress where the kind of the atlas has it.
 
@@ -160,7 +165,7 @@ class Chart:
         minimum_error = float(errors[:2].sum()) + self.film_loss
         if self._smallest is not None:
             factor, own = self._smallest
-            minimum *= factor
+            minimum = factor * min(minimum, central)
             minimum_error = minimum_error if own is None else central_error + own
         lowest = minimum * (1 - minimum_error)
         if not 0 < lowest < central * (1 + central_error):
