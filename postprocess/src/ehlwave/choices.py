@@ -19,6 +19,12 @@ AXES: tuple[Axis, ...] = ("x", "y")
 LAWS = ("atlas", "starved", "two-waves", "computed", "recommended", "paper")
 """Laws that judge the components of a surface, by their names."""
 
+FILM_BY = ("laws", "computed")
+"""Values of ``by`` for films: nothing is computed, or the program answers."""
+
+HOW = ("laws",)
+"""Further values of ``by``: the first law that holds, and nothing is computed."""
+
 Window = Literal["none", "taper", "mirror"]
 WINDOWS: tuple[Window, ...] = ("mirror", "taper", "none")
 """Treatments of the ends of a surface; commands take the first."""

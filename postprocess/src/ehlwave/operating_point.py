@@ -6,12 +6,12 @@ import math
 from copy import copy
 from typing import TYPE_CHECKING, Any
 
-from ehlwave.choices import WINDOWS, chosen
+from ehlwave.choices import FILM_BY, WINDOWS, chosen
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import Given
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.laws.film_answer import with_film
-from ehlwave.laws.notices import notices_of, warn
+from ehlwave.laws.notices import warn
 from ehlwave.laws.transfer import Transfer
 from ehlwave.surface.film_profile import second_conditions
 from ehlwave.surface.pair import DeformedPair
@@ -110,6 +110,7 @@ class Contact(WavyContact):
         form: Form = "plane",
         ends: Window = "mirror",
         cutoffs_m: Cutoffs = (None, None),
+        transfer: Transfer | None = None,
         **reading: Any,  # noqa: ANN401
     ) -> Deformed:
         """Predict the shape of a measured surface inside the contact, and the film over it.
@@ -123,6 +124,8 @@ class Contact(WavyContact):
             :meth:`film`.
         form, ends, cutoffs_m
             See :func:`ehlwave.surface.deform_surface`; ``cutoffs_m`` is (lambda_c, lambda_s).
+        transfer : Transfer, optional
+            In place of a law of the list, such as :class:`ehlwave.surface.TableTransfer`.
         **reading
             Of :class:`ehlwave.surface.ReadOptions`, for what the surface does not say.
 
@@ -153,7 +156,7 @@ class Contact(WavyContact):
         >>> print(f"Rq {before * 1e9:.0f} nm as measured, {after * 1e9:.0f} nm in the contact")
         Rq 35 nm as measured, 34 nm in the contact
         """
-        found = self._deformed(surface, by, form, ends, cutoffs_m, **reading)
+        found = self._deformed(surface, by, form, ends, cutoffs_m, transfer, **reading)
         warn(found.doubts)
         return found
 
@@ -197,13 +200,26 @@ class Contact(WavyContact):
         >>> print(f"lambda ratio {pair.statistics.lambda_ratio_after:.0f}")
         lambda ratio 29
         """
+        other = self.exchanged()
+        found = DeformedPair(self._deformed(surface, **options), other._deformed(second, **options))
+        warn(found.doubts)
+        return found
+
+    def exchanged(self) -> Contact:
+        """Return the same contact with the other body first, which moves with 2 - S.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10, radius_ratio_d=1,
+        ...     slip_parameter=1.1).exchanged()
+        Contact(M=100, L=10, D=1, S=0.9)
+        """
         other = copy(self)
         other._given = second_conditions(self._given)
         other._heat = None if self.heat is None else self.heat.exchanged()
         other._films, other._transfers = self._films, {}
-        found = DeformedPair(self._deformed(surface, **options), other._deformed(second, **options))
-        warn(found.doubts)
-        return found
+        return other
 
     def _deformed(
         self,
@@ -212,6 +228,7 @@ class Contact(WavyContact):
         form: Form = "plane",
         ends: Window = "mirror",
         cutoffs_m: Cutoffs = (None, None),
+        transfer: Transfer | None = None,
         **reading: Any,  # noqa: ANN401
     ) -> Deformed:
         """Return what :meth:`deform` does, and warn of nothing."""
@@ -221,20 +238,10 @@ class Contact(WavyContact):
             )
         chosen(ends, "ends", WINDOWS)
         measured = read_surface(surface, ReadOptions(**reading))
-        return self._judged(measured, self.transfer(by), form, ends, cutoffs_m)
-
-    def _judged(
-        self,
-        surface: Surface,
-        transfer: Transfer,
-        form: Form,
-        ends: Window,
-        cutoffs_m: Cutoffs,
-        film_by: str | None = None,
-    ) -> Deformed:
-        """Return the deformed surface, with the film of the list of laws and its warnings."""
+        film_by = by if by in FILM_BY else None
         conditions, notices = self._filmed(film_by)
-        found = deform_surface(surface, conditions, transfer, form, ends, cutoffs_m)
+        transfer = transfer or self._transfer(None, by)
+        found = deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
         found.warnings.extend(notices)
         return found
 
@@ -252,7 +259,7 @@ class Contact(WavyContact):
             if self.heat is not None:
                 raise
             return c, [f"the film is the result of a formula: {error}"]
-        return with_film(c, film), notices_of(self._asked(), film)
+        return with_film(c, film), list(film.warnings)
 
     def stress(
         self,

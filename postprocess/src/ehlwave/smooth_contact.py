@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ehlwave.choices import chosen_or_none
+from ehlwave.choices import FILM_BY, chosen_or_none
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
@@ -22,7 +22,7 @@ from ehlwave.laws.atlas.atlas import Atlas, load_atlas
 from ehlwave.laws.film_answer import with_film
 from ehlwave.laws.heated_contact import check_heat
 from ehlwave.laws.law_list import film_for, transfer_for
-from ehlwave.laws.notices import notices_of, warn
+from ehlwave.laws.notices import warn
 from ehlwave.laws.transfer import Transfer
 from ehlwave.quantities import number
 from ehlwave.shown import html_table, within
@@ -277,7 +277,7 @@ class SmoothContact:
         >>> print(f"{film.central_m * 1e6:.2f} um within {film.central_error:.0%}")
         0.83 um within 1%
         """
-        chosen_or_none(by, "by", ("laws", "computed"))
+        chosen_or_none(by, "by", FILM_BY)
         found = self._film(by)
-        warn(notices_of(self._asked(), found))
+        warn(found.warnings)
         return found

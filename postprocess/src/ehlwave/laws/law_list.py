@@ -5,11 +5,13 @@ Every door of the package asks here: films, responses, surfaces, stresses, comma
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from ehlwave.choices import LAWS, chosen
+from ehlwave.contact.conditions import Conditions
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.hints import see
 from ehlwave.inputs.slip import RATIO, ratio_of
@@ -20,11 +22,14 @@ from ehlwave.laws.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.laws.computed_film import computed_film
 from ehlwave.laws.computed_transfer import ComputedTransfer
 from ehlwave.laws.film_answer import film_of
+from ehlwave.laws.notices import notices_of
+from ehlwave.laws.sheared_ridges import ShearedRidges
 from ehlwave.laws.standing_waves import StandingRidges
 from ehlwave.laws.starved_transfer import StarvedTransfer
 from ehlwave.laws.transfer import FormulaTransfer, LawBasis, RecommendedTransfer, Transfer
 from ehlwave.laws.two_wave_transfer import TwoWaveTransfer
-from ehlwave.laws.warm_waves import WarmWaves
+from ehlwave.laws.warm_waves import WarmTransfer, thinner, warmth_of
+from ehlwave.programs.case_input import case_keys, case_text
 from ehlwave.programs.programs import has_programs
 
 SLIPS = SLIDING_RANGES["slip_parameter"]
@@ -122,24 +127,41 @@ def transfer_for(asked: Asked, by: str | None = None) -> Transfer:
         if not is_wanted:
             continue
         try:
-            return _with_ridges(asked, law, by)
+            return _warm(asked, law)
         except SurfaceError as error:
             reasons.append(str(error))
     raise RangeError("; or ".join(dict.fromkeys(reasons)) + _advice(asked, by))
 
 
-def _with_ridges(asked: Asked, law: Law, by: str | None) -> Transfer:
-    """Return a law's transfer; ridges along rolling of a Newtonian oil do not feel slip."""
-    found = law.transfer(asked)
-    c = asked.conditions
-    if law.is_isothermal and asked.heat is not None:
-        found = WarmWaves(found, asked)
-    slides = c.slip_parameter != 1 and not c.is_line
-    if slides and c.oil.name == "Newtonian" and law.name != "computed":
-        try:
-            return StandingRidges(found, transfer_for(asked.at_slip(1.0), "laws"))
-        except RangeError:
-            return found
+def _warm(asked: Asked, law: Law) -> Transfer:
+    """Return a law's transfer; of a warm contact with the law of warm waves, if it has no heat."""
+    cold = _with_ridges(asked, law)
+    if asked.heat is None or not law.is_isothermal:
+        return cold
+    film = film_for(asked, "laws")
+    if film.heated is None:
+        return cold
+    warmth = warmth_of(film, asked.heat, asked.conditions.slip_parameter)
+    thin = replace(asked, conditions=thinner(asked.conditions, film.heated.film_factor), heat=None)
+    return WarmTransfer(cold, _with_ridges(thin, law), warmth)
+
+
+def _with_ridges(asked: Asked, law: Law) -> Transfer:
+    """Return a law's transfer whose ridges along rolling are stationary.
+
+    Slip does not change them in a Newtonian oil; in one that thins it changes the flow across them.
+    """
+    found, c = law.transfer(asked), asked.conditions
+    if law.name != "two-waves":  # the atlas of sliding contacts has ridges of its own
+        return found
+    try:
+        rolling = _atlas(asked.at_slip(1.0))
+    except RangeError:
+        return found
+    if c.oil.name == "Newtonian":
+        return StandingRidges(found, rolling)
+    if c.oil.name == "Carreau" and isinstance(found, TwoWaveTransfer):
+        return StandingRidges(found, ShearedRidges(found.conditions, rolling, found))
     return found
 
 
@@ -155,7 +177,19 @@ def _named(asked: Asked, name: str) -> Transfer:
         return TwoWaveTransfer(asked.conditions)
     if name in ("recommended", "paper"):
         return law.transfer(asked)
-    return _with_ridges(asked, law, name)
+    return _warm(asked, law)
+
+
+def others_of(conditions: Conditions) -> list[Transfer]:
+    """Return the transfers of laws that are shown beside an answer, for comparison."""
+    if conditions.is_starved:
+        return []
+    rolls = conditions.slip_parameter == 1
+    found = []
+    for name in ("atlas", *(("recommended", "paper") if rolls else ("two-waves",))):
+        with contextlib.suppress(SurfaceError):
+            found.append(_named(Asked(conditions), name))
+    return found
 
 
 def _advice(asked: Asked, by: str | None) -> str:
@@ -163,8 +197,20 @@ def _advice(asked: Asked, by: str | None) -> str:
     c = asked.conditions
     law = "recommended" if c.slip_parameter == 1 else "two-waves"
     named = "" if c.is_starved or c.is_line else f" A law is used when named: by={law!r}."
-    compute = "" if by == "laws" else " Computed answers need the programs (ehlwave-case)."
+    compute = "" if by == "laws" else _to_compute(asked)
     return f".{named}{compute}{see('atlas')}"
+
+
+def _to_compute(asked: Asked) -> str:
+    """Return the input file and the command that compute a contact, for users without programs."""
+    try:
+        text = case_text(case_keys(asked.conditions, asked.heat))
+    except SurfaceError:
+        return ""
+    return (
+        ". The program ehlwave-case computes it and is not installed here: save this input as "
+        f"contact.nml and run ehlwave-case contact.nml --output contact.h5\n{text}"
+    )
 
 
 def film_for(asked: Asked, by: str | None = None) -> Film:
@@ -183,12 +229,18 @@ def film_for(asked: Asked, by: str | None = None) -> Film:
     RangeError
         If no law holds.
     """
+    found = _film(asked, by)
+    return replace(found, warnings=tuple(notices_of(asked, found)))
+
+
+def _film(asked: Asked, by: str | None) -> Film:
     if by == "computed":
         return computed_film(asked.conditions, asked.heat)
-    c = asked.conditions
     try:
-        return film_of(c, asked.chart, asked.heat, asked.eyring_stress_pa)
-    except RangeError:
-        if by == "laws" or not has_programs():
+        return film_of(asked.conditions, asked.chart, asked.heat, asked.eyring_stress_pa)
+    except RangeError as error:
+        if by == "laws":
             raise
+        if not has_programs():
+            raise RangeError(f"{error}{_to_compute(asked)}") from error
     return computed_film(asked.conditions, asked.heat)
