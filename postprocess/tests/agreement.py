@@ -92,7 +92,9 @@ def _is_forward(shape: tuple[int, ...]) -> Any:  # noqa: ANN401
     return forward[0][:, None] & forward[1][None, :]
 
 
-def _not_refused(contact: ehlwave.Contact, surface: ehlwave.surface.Surface, reason: str) -> list[str]:
+def _not_refused(
+    contact: ehlwave.Contact, surface: ehlwave.surface.Surface, reason: str
+) -> list[str]:
     """Return a difference where a surface is judged whose wave has no response."""
     try:
         deformed = contact.deform(surface, by="laws", form="none", ends="none")
@@ -146,7 +148,9 @@ def _film(central_m: float | None, error: float | None) -> tuple[float | None, f
     return (float(f"{central_m * 1e6:.9g}"), float(f"{error:.9g}")) if known else (None, None)
 
 
-def _command(one: Drawn, folder: Path, surface: ehlwave.surface.Surface) -> dict[str, tuple[Any, ...]]:
+def _command(
+    one: Drawn, folder: Path, surface: ehlwave.surface.Surface
+) -> dict[str, tuple[Any, ...]]:
     """Return the answer of ``ehlwave lambda --json`` for the input file of the contact."""
     contact = one.contact()
     (folder / "contact.nml").write_text(

@@ -128,7 +128,7 @@ def transfer_for(asked: Asked, by: str | None = None) -> Transfer:
             continue
         try:
             return _warm(asked, law)
-        except SurfaceError as error:
+        except (RangeError, SurfaceError) as error:
             reasons.append(str(error))
     raise RangeError("; or ".join(dict.fromkeys(reasons)) + _advice(asked, by))
 
@@ -187,7 +187,7 @@ def others_of(conditions: Conditions) -> list[Transfer]:
     rolls = conditions.slip_parameter == 1
     found = []
     for name in ("atlas", *(("recommended", "paper") if rolls else ("two-waves",))):
-        with contextlib.suppress(SurfaceError):
+        with contextlib.suppress(RangeError, SurfaceError):
             found.append(_named(Asked(conditions), name))
     return found
 
@@ -205,7 +205,7 @@ def _to_compute(asked: Asked) -> str:
     """Return the input file and the command that compute a contact, for users without programs."""
     try:
         text = case_text(case_keys(asked.conditions, asked.heat))
-    except SurfaceError:
+    except (RangeError, SurfaceError):
         return ""
     return (
         ". The program ehlwave-case computes it and is not installed here: save this input as "

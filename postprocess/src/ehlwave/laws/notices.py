@@ -51,7 +51,7 @@ def _inlet(asked: Asked, film: Film) -> list[str]:
         return []
     try:
         warming = inlet_warming(c, film.central_m)
-    except SurfaceError:  # M, L and D alone
+    except (RangeError, SurfaceError):  # M, L and D alone
         return []
     if warming.loss <= LEAST_LOSS:
         return []
