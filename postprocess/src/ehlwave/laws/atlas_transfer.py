@@ -12,7 +12,6 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.formula import recommended_ratio
 from ehlwave.contact.line_contact import ROLLS_ALONE
 from ehlwave.errors import RangeError
-from ehlwave.laws.answers import Film
 from ehlwave.laws.atlas.atlas import Atlas, atlas_for, chart_of
 from ehlwave.laws.atlas.chart import Chart
 from ehlwave.laws.atlas.ranges import WAVE_RANGE
@@ -253,18 +252,6 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
         central_film_m=film.central_moes * conditions.metres_per_moes * conditions.film_ratio,
         film_source=source,
         central_film_error=error,
-    )
-
-
-def with_heated_film(conditions: Conditions, film: Film) -> Conditions:
-    """Return conditions with a film with heat, :meth:`ehlwave.Contact.film`; a given one stays."""
-    if _keeps_film(conditions):
-        return conditions
-    return replace(
-        conditions,
-        central_film_m=film.central_m,
-        film_source=f"atlas times the laws of heat, within {100 * film.central_error:.2g} %",
-        central_film_error=film.central_error,
     )
 
 

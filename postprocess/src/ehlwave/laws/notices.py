@@ -7,7 +7,7 @@ import warnings
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ehlwave.errors import ExtrapolationWarning, SurfaceError
+from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
 from ehlwave.laws.inlet_warming import inlet_warming
 
 if TYPE_CHECKING:
