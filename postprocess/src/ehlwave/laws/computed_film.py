@@ -18,10 +18,10 @@ ACCURACY = 0.005
 """Relative error of the central film that is asked for."""
 MINIMUM_ERROR = 0.05
 """Error of the smallest film above which the grid is refined."""
-LARGEST_CELLS, MOST_SECONDS = 1024, 6.0
-"""Bounds of the refined grids: cells along a side, and expected seconds of a run."""
-GROWTH = 6.0
-"""Expected growth of the run time with twice the cells along each side."""
+LARGEST_LINE = 8192
+"""Cells of the refined grids of line contacts at most."""
+LARGEST_GRID, STARVED_SHARE, WARM_SHARE = 2**18, 2, 4
+"""Cells of those of other contacts (3 s on two cores), and divisors of starved and warm ones."""
 
 SOURCE = "computed by ehlwave-case"
 
@@ -81,22 +81,21 @@ def smooth_case(
     """Return the program's result; the grid is refined where the smallest film needs it."""
     keys = case_keys(conditions, heat)
     found = run_case({**keys, "accuracy": ACCURACY}, progress)
-    seconds = found["seconds"]
+    largest = LARGEST_GRID // (STARVED_SHARE if conditions.is_starved else 1)
+    largest //= 1 if heat is None else WARM_SHARE
     while _number(found, "minimum_film_error") > MINIMUM_ERROR:
         # The smallest film lies in the side lobes: cells across are refined first.
         x, y = found["cells_x"], found["cells_y"]
         finer = {"cells_x": x if y < x else 2 * x}
         if not conditions.is_line:
             finer["cells_y"] = 2 * y
-        growth = GROWTH if y >= x else GROWTH / 2
-        seconds *= growth
-        if seconds > MOST_SECONDS or max(finer.values()) > LARGEST_CELLS:
+        cells = finer["cells_x"] * finer.get("cells_y", 1)
+        if cells > (LARGEST_LINE if conditions.is_line else largest):
             break
         try:
-            better = run_case({**keys, **finer, "scheme": found["scheme"]}, progress)
+            found = run_case({**keys, **finer, "scheme": found["scheme"]}, progress)
         except ProgramError:
             break  # the result on the coarser grid holds, with its error
-        found, seconds = better, better["seconds"]
     return found
 
 
