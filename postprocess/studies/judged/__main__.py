@@ -26,7 +26,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _run(options: argparse.Namespace) -> int:
     rows: list[Row] = []
     for part, count in COUNTS.items():
-        if options.part is None or str(options.part) == part:
+        if options.part is None or options.part.name == part:
             rows += _part(part, options.contacts or count, options.output, options.write)
     for row in rows:
         print(", ".join(f"{k} {v:.4g}" if isinstance(v, float) else str(v) for k, v in row.items()))
