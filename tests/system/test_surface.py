@@ -69,7 +69,7 @@ class Surfaces(FolderTest):
         self.assertIn("97 x 1 points", outcome.stdout)
         attributes, data = read(self.folder/"out.h5")
         self.assertIn("file = 's.h5'", attributes["effective_input"])
-        x, film, unit = data["surface_position_m"], data["film_at_centre"], float(data["length_c_m"])
+        x, film, unit = data["surface_position_m"], data["film_at_centre"], float(data["hertz_approach_c_m"])
         # the leading end is at x_min at T = 0, the trailing end at the centre in the end
         self.assertAlmostEqual(x[0], (POINTS - 1)*STEP + 2.5*184.614e-6, delta=1e-9)
         self.assertTrue(-0.07*184.6e-6 <= x[-1] <= 1e-12)

@@ -151,7 +151,7 @@ class Heat(TestCase):
                     i = int(abs(file["x"][:]).argmin())
                     self.assertLess(abs(file["x"][i]), 1e-9)
                     pressure = float(file["pressure"][...].ravel()[i])*result["hertz_pressure_pa"]
-                    film = float(file["film"][...].ravel()[i])*result["length_c_m"]
+                    film = float(file["film"][...].ravel()[i])*result["hertz_approach_c_m"]
                     stress = float(file["mean_shear_stress_pa"][...].ravel()[i])
                     rise = float(file["rise_mid_film_k"][...].ravel()[i])
             viscosity = 0.05*math.exp(1.5e-8*pressure)

@@ -98,7 +98,7 @@ class Page:
         self._answer = answer
         found = answer.found
         self.first.object = f"<p class='answer' role='status'>{shown.headline(answer)}</p>"
-        self.warnings.object = "" if found is None else shown.warnings_of(found)
+        self.warnings.object = shown.warnings_of(answer)
         self.figures.object = shown.pictures(answer)
         self.doubts.object = "" if found is None else shown.doubts(found)
         self.numbers.object = shown.numbers(answer)

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 
 from ehlwave.cli.app import add_app_command
+from ehlwave.cli.arguments.cache import add_cache_command
 from ehlwave.cli.arguments.deform import add_deform_commands
 from ehlwave.cli.arguments.replenish import add_replenish_command
 from ehlwave.cli.arguments.results import add_results_commands
@@ -70,6 +71,7 @@ def command_parser() -> argparse.ArgumentParser:
     add_stress_command(commands)
     add_replenish_command(commands)
     add_traction_command(commands)
+    add_cache_command(commands)
     add_app_command(commands)
     return parser
 
