@@ -37,7 +37,9 @@ _OF_LENGTH = {"x", "xy", "lateral", "length", "horizontal", "position", "längen
 _SCALE = {"z scale", "zscale", "scale z", "height scale", "z factor", "height factor", "z scaling"}
 _SCALE |= {"height conversion factor", "z multiplier", "multiplier", "bit2nm", "z calibration"}
 
-_VALUE = re.compile(r"[-+]?(?:\d{1,20}(?:[.,]\d{0,20})?|[.,]\d{1,20})(?:[eEdD][-+]?\d{1,3})?")
+_VALUE = re.compile(
+    r"(?<![\w.])[-+]?(?:\d{1,20}(?:[.,]\d{1,20})?|\.\d{1,20})(?:[eEdD][-+]?\d{1,3})?"
+)
 _MARKS = re.compile(r"[\s:=;,\"'|]+")
 
 
@@ -72,8 +74,6 @@ def _state(file: Path, found: Statements, line: str) -> None:
     """Take what one line states."""
     line = line.strip(" \t#%;*!/\\\"'")
     number = _VALUE.search(line)
-    while number and _is_in_word(line, number):
-        number = _VALUE.search(line, number.end())
     if number is None:
         _take_unit(file, found, line)
         return
@@ -99,11 +99,6 @@ def _state(file: Path, found: Statements, line: str) -> None:
             f"{file}: states '{printable(line)[:60]}': multiply the heights by it, and remove "
             "this line"
         )
-
-
-def _is_in_word(line: str, number: re.Match[str]) -> bool:
-    before = line[number.start() - 1 : number.start()]
-    return before.isalpha()
 
 
 def _plain(key: str) -> str:
