@@ -10,12 +10,12 @@ from ehlwave.app.task import Task
 from ehlwave.app.uploads import LARGEST_MB
 from ehlwave.app.widgets import (
     CARD,
-    HALF,
     FileField,
     NumberField,
     in_rows,
     section,
     select,
+    text_field,
     widgets_of,
 )
 from ehlwave.choices import DECIMALS, FORMS, WINDOWS

@@ -14,7 +14,6 @@ from ehlwave.errors import ResultsError
 from ehlwave.laws.atlas.committee import LAYERS, Committee
 from ehlwave.laws.atlas.coordinates import Floats
 
-
 STEP = "scale_factor"
 """Attribute of packed numbers: the step between them."""
 

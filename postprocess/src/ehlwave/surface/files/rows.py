@@ -4,7 +4,7 @@ import codecs
 import contextlib
 import csv
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -78,6 +78,8 @@ def rows_of(file: Path) -> Rows:
     body = [line for line in content[start:] if not line.lstrip().startswith("#")]
     while len(body) > 1 and not _is_cell(split(body[-1], separator)[0]):
         body.pop()  # what stands below
+    while separator is not None and len(body) > 1 and all(map(_ends(separator), body)):
+        body = [line.rstrip(" ")[:-1] for line in body]  # separators end the rows
     return Rows(above, body, separator)
 
 
@@ -151,7 +153,14 @@ def _plain_signs(line: str) -> str:
 
 def _without_mark(line: str) -> str:
     """Return a line without the mark of a comment."""
-    return line.strip(" \t").lstrip("#%").removeprefix("//").strip(" ")
+    bare = line.strip(" ")
+    found = re.match(r"(?:[#%!*]+|//)(?=[ \t]|[^\W_]|[\[(\-])", bare)
+    return bare if found is None else bare[found.end() :].strip(" ")
+
+
+def _ends(separator: str) -> Callable[[str], bool]:
+    """Return whether a line ends with a separator and has another one or a number before it."""
+    return lambda line: line.rstrip(" ").endswith(separator)
 
 
 def _is_cell(cell: str) -> bool:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ehlwave.choices import Decimal
 from ehlwave.errors import SurfaceError, printable
 from ehlwave.surface.files.decimals import settled
-from ehlwave.surface.files.rows import Rows, in_numerals, is_missing, rows_of, split
+from ehlwave.surface.files.rows import Rows, in_numerals, is_missing, is_number, rows_of, split
 from ehlwave.surface.files.statements import Statements, statements_of
 from ehlwave.surface.files.words import Heading, heading_of
 from ehlwave.surface.units import known_unit
@@ -67,7 +67,7 @@ def read_text_table(file: Path, decimal: Decimal | None = None) -> TextTable:
     cells and words such as ``nan`` are missing heights, not errors.
     """
     rows = rows_of(file)
-    names = len(rows.above[-1].split(",")) if rows.above else 0
+    names = len(rows.above[-1].strip(" ").rstrip(",").split(",")) if rows.above else 0
     body = [
         in_numerals(line, rows.separator) if _UNUSUAL.search(line) else line for line in rows.body
     ]
@@ -127,7 +127,8 @@ def _are_units(cells: Sequence[str]) -> bool:
 def _cells_of(line: str, separator: str | None, columns: int) -> list[str] | None:
     """Return a line as headings of so many columns; None if it is none."""
     if columns == 1:
-        return [line.strip().strip('";,\t')]
+        is_statement = re.search(r"[:=]|(?:^|[\s;,])[-+]?\d", line)
+        return None if is_statement else [line.strip().strip('";,\t')]
     closed = re.sub(r"(?<=[\])}])\s+(?=\S)", "\t", re.sub(r"\s+(?=[\[({])", " ", line.strip()))
     ways = [line.split(mark) for mark in (separator, ";", "\t", ",", "|") if mark is not None]
     ways += [re.split(r"[ \t]{2,}", line.strip()), closed.split("\t"), line.split()]
@@ -135,7 +136,9 @@ def _cells_of(line: str, separator: str | None, columns: int) -> list[str] | Non
         cells = [cell.strip().strip('"').strip() for cell in cells]
         while len(cells) > columns and not cells[-1]:
             cells.pop()
-        if len(cells) == columns and any(cells):
+        numbers = sum(map(is_number, cells))
+        is_text = not any(cell[:1].isdigit() for cell in cells)
+        if len(cells) == columns and cells[-1] and (is_text or numbers >= columns - 1 > 2):
             return cells
     return None
 
@@ -150,7 +153,9 @@ def _refuse_other_count(file: Path, rows: Rows, cells: Sequence[str], columns: i
     found = split(rows.above[-1], separators[0])
     while len(found) > 1 and not found[-1]:
         found.pop()
-    known = [cell for cell in found if (one := heading_of(cell)).unit or one.role]
+    known = [
+        cell for cell in found if (one := heading_of(cell)).unit or one.role in ("x", "y", "z")
+    ]
     if len(found) > 1 and len(known) > 1 and len(known) == len(found):
         raise SurfaceError(f"{file}: {len(found)} headings for {columns} columns")
 

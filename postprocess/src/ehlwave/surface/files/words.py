@@ -63,7 +63,12 @@ class Heading:
 
 
 def heading_of(text: str) -> Heading:
-    """Return the role and the unit of a heading; times, numbers of rows and forces are other."""
+    """Return the role and the unit of a heading; times, numbers of rows and forces are other.
+
+    A column without a name among named ones numbers the rows: it is other, too.
+    """
+    if not text.strip():
+        return Heading(text, "other", None)
     words, unit = split_unit(text.strip().strip('"'))
     length = None if unit is None else known_unit(unit)
     if unit is not None and length is None and is_other_unit(unit):
