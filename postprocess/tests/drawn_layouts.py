@@ -53,6 +53,7 @@ class Layout:
     said: dict[str, object] = field(default_factory=dict)
     is_complete: bool = False
     """Whether nothing need be asked."""
+    height_unit: str = "um"
 
 
 def drawn(folder: Path, seed: int) -> Layout:
@@ -127,7 +128,7 @@ def _trace(folder: Path, random: Random, seed: int) -> Layout:
     if not (has_units and has_headings):
         said |= {"height_unit": z_unit, **({"length_unit": x_unit} if "x" in columns else {})}
     separator = random.choice([";", ";", "\t", "\t", ",", "  ", " "])
-    if separator == "," and any("," in cell for cell in sum(head, [])):
+    if separator == "," and any("," in cell for row in head for cell in row):
         separator = ";"
     comma = random.random() < 0.4
     body = [[columns[name][k] for name in names] for k in range(count)]
@@ -136,7 +137,7 @@ def _trace(folder: Path, random: Random, seed: int) -> Layout:
         said["decimal"] = "comma"
     path = _written(folder, random, seed, text)
     is_complete = has_units and has_headings and not said and separator in ";\t" and not kinds
-    return Layout(path, z_m, step_um * 1e-6, said=said, is_complete=is_complete)
+    return Layout(path, z_m, step_um * 1e-6, said=said, is_complete=is_complete, height_unit=z_unit)
 
 
 def _titles(random: Random) -> list[str]:
@@ -203,4 +204,4 @@ def _map(folder: Path, random: Random, seed: int) -> Layout:
                 "step_across": across,
             }
     path = _written(folder, random, seed, _lines(random, lines, head, body, separator, comma))
-    return Layout(path, z_m, step * 1e-6, across * 1e-6, said)
+    return Layout(path, z_m, step * 1e-6, across * 1e-6, said, height_unit=z_unit)

@@ -130,17 +130,31 @@ def _cells_of(line: str, separator: str | None, columns: int) -> list[str] | Non
         is_statement = re.search(r"[:=]|(?:^|[\s;,])[-+]?\d", line)
         return None if is_statement else [line.strip().strip('";,\t')]
     closed = re.sub(r"(?<=[\])}])\s+(?=\S)", "\t", re.sub(r"\s+(?=[\[({])", " ", line.strip()))
-    ways = [line.split(mark) for mark in (separator, ";", "\t", ",", "|") if mark is not None]
-    ways += [re.split(r"[ \t]{2,}", line.strip()), closed.split("\t"), line.split()]
+    if separator is not None and separator in line.rstrip(f" {separator}"):
+        ways = [line.split(separator)]
+    else:
+        ways = [line.split(mark) for mark in (";", "\t", ",", "|")]
+        ways += [re.split(r"[ \t]{2,}", line.strip()), closed.split("\t"), line.split()]
     for cells in ways:
         cells = [cell.strip().strip('"').strip() for cell in cells]
         while len(cells) > columns and not cells[-1]:
             cells.pop()
         numbers = sum(map(is_number, cells))
-        is_text = not any(cell[:1].isdigit() for cell in cells)
-        if len(cells) == columns and cells[-1] and (is_text or numbers >= columns - 1 > 2):
+        is_text = not any(cell[:1].isdigit() or _VALUE.search(cell) for cell in cells)
+        units = [known_unit(cell.strip("[](){} ")) for cell in cells]
+        is_cut = any(units) and not _are_units([cell.strip("[](){} ") for cell in cells])
+        if (
+            len(cells) == columns
+            and cells[-1]
+            and not (is_cut and len(ways) > 1)
+            and (is_text or numbers >= columns - 1 > 2)
+        ):
             return cells
     return None
+
+
+_VALUE = re.compile(r"(?i)[:=]|\b(?:no|nr|n°|version|v)\b\.?\s*\d")
+"""Marks of a statement such as ``Specimen No. 12``, which is no heading."""
 
 
 def _refuse_other_count(file: Path, rows: Rows, cells: Sequence[str], columns: int) -> None:
@@ -153,10 +167,9 @@ def _refuse_other_count(file: Path, rows: Rows, cells: Sequence[str], columns: i
     found = split(rows.above[-1], separators[0])
     while len(found) > 1 and not found[-1]:
         found.pop()
-    known = [
-        cell for cell in found if (one := heading_of(cell)).unit or one.role in ("x", "y", "z")
-    ]
-    if len(found) > 1 and len(known) > 1 and len(known) == len(found):
+    ones = [heading_of(cell) for cell in found]
+    names_columns = any(one.unit or one.role in ("x", "y", "z") for one in ones)
+    if len(found) > 1 and names_columns and all(one.unit or one.role for one in ones):
         raise SurfaceError(f"{file}: {len(found)} headings for {columns} columns")
 
 
