@@ -42,7 +42,7 @@ class _Page(DocHandler):
         async with self._kept.lock:
             if not self._kept.page:
                 self._is_first = True
-                await super().get(*args, **kwargs)
+                await super().get(*args, **kwargs)  # type: ignore[misc]
                 self._is_first = False
                 self._kept.page = self._written
         app = self.application
@@ -51,7 +51,7 @@ class _Page(DocHandler):
             secret_key=app.secret_key,
             signed=app.sign_sessions,
             expiration=app.session_token_expiration,
-            extra_payload=self._generate_token_payload(),
+            extra_payload=dict(self._generate_token_payload()),
         )
         self.set_header("Content-Type", "text/html")
         self.set_header("Cache-Control", "no-store")

@@ -113,10 +113,11 @@ def _by_likelihood(file: Path, head: bytes, package: Any) -> tuple[list[Any], li
             if hasattr(kind, "can_read")
             else "maybe"
         )
-        if says == "no":
+        is_sdf = kind.format() == "sdf" and _SDF.match(head) is not None
+        if says == "no" and not is_sdf:
             continue
         endings = [*(kind.file_extensions() or ()), kind.format()]
-        if says == "yes" or (kind.format() == "sdf" and _SDF.match(head)):
+        if says == "yes" or is_sdf:
             certain.append(kind)
         elif suffix in endings:
             named.append(kind)

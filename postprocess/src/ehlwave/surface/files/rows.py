@@ -181,6 +181,11 @@ def _count(line: str, separator: str | None) -> int:
     return len(cells) if count else 0
 
 
+def _cells(line: str, separator: str | None) -> int:
+    """Return how many cells a line has, whatever they hold."""
+    return len(line.split()) if separator is None else line.count(separator) + 1
+
+
 def _separator(line: str) -> str | None:
     """Return what separates the numbers of a line."""
     for separator in SEPARATORS:
@@ -201,16 +206,21 @@ def _first_numbers(lines: Sequence[str]) -> tuple[int, str | None] | None:
         if not (head.isdecimal() or head in "+-.nN*bB" or not head):
             continue
         separator = _separator(line)
+        rows = lines[start + 1 : start + FEWEST_ROWS]
+        if separator != "," and any(
+            _cells(row, separator) != _cells(line, separator) for row in rows
+        ):
+            if len(lines) - start > FEWEST_ROWS:
+                continue
         count = _count(line, separator)
         if not count:
             continue
-        rows = lines[start + 1 : start + FEWEST_ROWS]
         has_two_names = start > 0 and len(split(lines[start - 1], ",")) == 2
         if separator == "," and count == 2 and not has_two_names:
             is_one = all(_count(row, None) == 1 for row in [line, *rows])
             if is_one and any("," not in row for row in rows):
                 separator, count = None, 1  # '12' among '12,5'
-        if all(_count(row, separator) == count for row in rows):
+        if all(_cells(row, separator) == count == _count(row, separator) for row in rows):
             if len(rows) == FEWEST_ROWS - 1:
                 return start, separator
             first = first or (start, separator)
