@@ -207,16 +207,14 @@ def _first_numbers(lines: Sequence[str]) -> tuple[int, str | None] | None:
             continue
         separator = _separator(line)
         rows = lines[start + 1 : start + FEWEST_ROWS]
-        if separator != "," and any(
-            _cells(row, separator) != _cells(line, separator) for row in rows
-        ):
-            if len(lines) - start > FEWEST_ROWS:
-                continue
+        is_uneven = any(_cells(row, separator) != _cells(line, separator) for row in rows)
+        if is_uneven and separator != "," and len(lines) - start > FEWEST_ROWS:
+            continue
         count = _count(line, separator)
         if not count:
             continue
-        has_two_names = start > 0 and len(split(lines[start - 1], ",")) == 2
-        if separator == "," and count == 2 and not has_two_names:
+        names = split(lines[start - 1], ",") if start and separator == "," and count == 2 else ()
+        if separator == "," and count == 2 and len(names) != 2:
             is_one = all(_count(row, None) == 1 for row in [line, *rows])
             if is_one and any("," not in row for row in rows):
                 separator, count = None, 1  # '12' among '12,5'

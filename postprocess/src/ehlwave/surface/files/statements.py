@@ -40,6 +40,7 @@ _SCALE |= {"height conversion factor", "z multiplier", "multiplier", "bit2nm", "
 _VALUE = re.compile(
     r"(?<![\w.])[-+]?(?:\d{1,20}(?:[.,]\d{1,20})?|\.\d{1,20})(?:[eEdD][-+]?\d{1,3})?"
 )
+_LETTER = re.compile(r"[^\W\d_]")
 _MARKS = re.compile(r"[\s:=;,\"'|]+")
 
 
@@ -65,7 +66,7 @@ def statements_of(file: Path, lines: Iterable[str]) -> Statements:
     """
     found = Statements()
     for line in lines:
-        if len(line) <= LONGEST:
+        if len(line) <= LONGEST and _LETTER.search(line):
             _state(file, found, unicodedata.normalize("NFKC", line))
     return found
 
