@@ -1,0 +1,333 @@
+"""What rolling bearings have in common: kinematics, contacts, load zone, power."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from ehlwave.choices import chosen
+from ehlwave.contact.bodies import Body
+from ehlwave.contact.data_sheet import Oil
+from ehlwave.contact.scales import moes_film
+from ehlwave.elements.answers import Questions
+from ehlwave.elements.columns import COLUMNS
+from ehlwave.elements.hertz import reduced_modulus
+from ehlwave.elements.load_zone import LoadZone
+from ehlwave.elements.place import ElementContact
+from ehlwave.elements.practice import viscosity_ratio
+from ehlwave.elements.rolling_resistance import ERROR, rolling_force
+from ehlwave.elements.table import table_of, unanswered, worst_places
+
+RINGS = ("inner", "outer")
+EDGE = 0.95
+"""Part of the half width of the load zone that tables show: at its end there is no load."""
+
+
+def film_by_formula(place: ElementContact) -> float:
+    """Return the central film of a formula, m, for sensitivities alone.
+
+    Parameters
+    ----------
+    place : ElementContact
+        The contact.
+    """
+    modulus, radius = reduced_modulus(*place.bodies), place.radius_x_m
+    oil = place.oil
+    speed = 2 * oil.viscosity_pa_s * abs(place.mean_speed_m_per_s) / (modulus * radius)
+    viscous = oil.pressure_viscosity_per_pa * modulus * speed**0.25
+    if place.length_m is None:
+        load, ratio = place.load_n / (modulus * radius**2) / speed**0.75, radius / place.radius_y_m
+    else:
+        load, ratio = place.load_n_per_m / (modulus * radius) / speed**0.5, 0.0
+    return moes_film(load, viscous, ratio) * radius * speed**0.5
+
+
+def _widen(found: xr.Dataset, inside: float) -> None:
+    """Add the error by inner dimensions to the errors of films and lambda ratios."""
+    found["inside_error"] = xr.full_like(found["load_n"], inside)
+    found["inside_error"].attrs = {"long_name": COLUMNS["inside_error"].meaning}
+    for name in list(found.data_vars):
+        if str(name).endswith(("film_error", "lambda_error")):
+            found[name] = (found[name] + inside).assign_attrs(found[name].attrs)
+
+
+class RollingBearing:
+    """A bearing of balls or rollers; its kinds know bodies and loads."""
+
+    element_diameter_m: float
+    """Diameter of balls, or of rollers at their middle."""
+    pitch_diameter_m: float
+    """Diameter of the circle of their centres."""
+    elements: int
+    """Number of balls or rollers."""
+    elastic: Mapping[str, Any]
+    """Material of all parts, as arguments of :class:`ehlwave.Body`."""
+    variants: tuple[RollingBearing, ...] = ()
+    """The same bearing with other inner dimensions, where they are estimated."""
+    inside_errors: Mapping[str, float] = {}
+    """Errors of estimated inner dimensions, relative; of counts absolute."""
+
+    def bodies(self, ring: str, contact_angle_deg: float) -> tuple[Body, Body]:
+        """Return race and element at a contact; the kinds of bearings know them."""
+        raise NotImplementedError
+
+    def load_zone(self, **loads: float) -> LoadZone:
+        """Return the loads around the bearing; the kinds of bearings know them."""
+        raise NotImplementedError
+
+    def length_m(self) -> float | None:
+        """Return the length of line contacts; None of balls."""
+        return None
+
+    def gamma(self, contact_angle_deg: float = 0.0) -> float:
+        """Return D cos(angle)/d_m.
+
+        Parameters
+        ----------
+        contact_angle_deg : float
+            Contact angle, of tapered rollers the angle of their axis.
+        """
+        cosine = math.cos(math.radians(contact_angle_deg))
+        return self.element_diameter_m * cosine / self.pitch_diameter_m
+
+    def surface_speed_m_per_s(
+        self, inner_speed_rpm: float, outer_speed_rpm: float = 0.0, contact_angle_deg: float = 0.0
+    ) -> float:
+        """Return the speed of both surfaces past either contact, without slip.
+
+        The cage turns with [w_i (1 - gamma) + w_o (1 + gamma)]/2, so that the inner race has
+        (w_i - w_o) d_m (1 - gamma^2)/4, the outer race and the element the same.
+
+        Parameters
+        ----------
+        inner_speed_rpm, outer_speed_rpm, contact_angle_deg : float
+            Speeds of the rings, contact angle.
+        """
+        gamma = self.gamma(contact_angle_deg)
+        turn = 2 * math.pi / 60 * (inner_speed_rpm - outer_speed_rpm)
+        return abs(turn) * self.pitch_diameter_m * (1 - gamma**2) / 4
+
+    def cage_speed_rpm(
+        self, inner_speed_rpm: float, outer_speed_rpm: float = 0.0, contact_angle_deg: float = 0.0
+    ) -> float:
+        """Return the speed of the cage.
+
+        Parameters
+        ----------
+        inner_speed_rpm, outer_speed_rpm, contact_angle_deg : float
+            Speeds of the rings, contact angle.
+        """
+        gamma = self.gamma(contact_angle_deg)
+        return (inner_speed_rpm * (1 - gamma) + outer_speed_rpm * (1 + gamma)) / 2
+
+    def _place(
+        self,
+        ring: str,
+        angle_deg: float,
+        load_n: float,
+        contact_angle_deg: float,
+        speeds_rpm: tuple[float, float],
+        oil: Oil,
+        options: Mapping[str, Any],
+    ) -> ElementContact:
+        speed = self.surface_speed_m_per_s(*speeds_rpm, contact_angle_deg)
+        others = {"contact_angle_deg": contact_angle_deg} if contact_angle_deg else {}
+        return ElementContact(
+            bodies=self.bodies(ring, contact_angle_deg),
+            oil=oil,
+            speeds_m_per_s=(speed, speed),
+            load_n=load_n,
+            length_m=self.length_m(),
+            angle_deg=angle_deg,
+            name=f"{ring} ring",
+            others=others,
+            options=options,
+        )
+
+    def contacts(
+        self,
+        *,
+        inner_speed_rpm: float,
+        oil: Oil,
+        outer_speed_rpm: float = 0.0,
+        ring: str = "inner",
+        options: Mapping[str, Any] | None = None,
+        **loads: float,
+    ) -> list[ElementContact]:
+        """Return the contacts of all elements that bear load with one ring.
+
+        Parameters
+        ----------
+        inner_speed_rpm, outer_speed_rpm : float
+            Speeds of the rings.
+        oil : Oil
+            At the temperature of the bearing.
+        ring : {"inner", "outer"}
+            The ring.
+        options : mapping, optional
+            Options of :class:`ehlwave.Contact`, such as ``heat``.
+        **loads
+            ``radial_load_n``, and ``axial_load_n`` of balls.
+
+        Returns
+        -------
+        list of ElementContact
+            With ``angle_deg`` from the direction of the load, above -180 to 180, ``load_n`` and
+            ``contact``.
+        """
+        chosen(ring, "ring", RINGS, type(self).__name__)
+        zone = self.load_zone(**loads)
+        angles = 360 * np.arange(self.elements) / self.elements
+        angles = np.where(angles > 180, angles - 360, angles)
+        found = zip(angles, *zone.loads_at(angles), strict=True)
+        speeds = (inner_speed_rpm, outer_speed_rpm)
+        return [
+            self._place(ring, float(angle), float(load), float(alpha), speeds, oil, options or {})
+            for angle, load, alpha in found
+            if load > 0
+        ]
+
+    def over_load_zone(
+        self,
+        *,
+        inner_speed_rpm: float,
+        oil: Oil,
+        outer_speed_rpm: float = 0.0,
+        points: int = 9,
+        rings: tuple[str, ...] = RINGS,
+        **asked: Any,  # noqa: ANN401
+    ) -> xr.Dataset:
+        """Return films, roughness and stresses over the load zone of both rings.
+
+        Parameters
+        ----------
+        inner_speed_rpm, outer_speed_rpm, oil
+            As of :meth:`contacts`.
+        points : int
+            Angles, evenly spread over 95 % of the loaded part.
+        rings : tuple of str
+            Rings that are answered.
+        **asked
+            ``radial_load_n``, ``axial_load_n``; ``trace``, ``second``, ``heat``, ``stress``,
+            ``oil_over_flooded``, ``reading`` of :class:`ehlwave.elements.answers.Questions`. The
+            trace is of the race, the second one of the element.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over ``ring`` and ``angle_deg``; columns are those of
+            :data:`ehlwave.elements.columns.COLUMNS`. Attributes have the power of rolling and
+            sliding, kappa of ISO 281 and the worst places.
+        """
+        own = ("radial_load_n", "axial_load_n", "is_free_to_tilt")
+        loads = {name: asked.pop(name) for name in own if name in asked}
+        questions = Questions(**asked)
+        zone = self.load_zone(**loads)
+        half = EDGE * zone.half_width_deg
+        angles = np.linspace(-half, half, points)
+        speeds = (inner_speed_rpm, outer_speed_rpm)
+        tables = []
+        for ring in rings:
+            places = [
+                self._place(ring, a, q, alpha, speeds, oil, questions.options)
+                for a, q, alpha in zip(
+                    angles.tolist(), *(one.tolist() for one in zone.loads_at(angles)), strict=True
+                )
+            ]
+            tables.append(table_of(places, questions, "angle_deg", {"angle_deg": angles.tolist()}))
+        found = xr.concat(tables, dim="ring").assign_coords(ring=list(rings))
+        found["angle_deg"].attrs |= {"units": "degree", "long_name": "angle from the load"}
+        if self.variants and "central_film_m" in found:
+            _widen(found, self.inside_error(loads, speeds, oil))
+        found.attrs |= self._attributes(zone, found, loads, speeds, oil)
+        return found
+
+    def inside_error(
+        self, loads: Mapping[str, float], speeds_rpm: tuple[float, float], oil: Oil
+    ) -> float:
+        """Return the relative error of films by estimated inner dimensions.
+
+        Root of the sum of squares of what each dimension at its error changes in the film of the
+        most loaded inner contact, by the formula of :func:`ehlwave.contact.scales.moes_film`.
+
+        Parameters
+        ----------
+        loads, speeds_rpm, oil
+            As of :meth:`contacts`.
+        """
+
+        def film(bearing: RollingBearing) -> float:
+            load, alpha = (float(one) for one in bearing.load_zone(**loads).loads_at(0.0))
+            return film_by_formula(bearing._place("inner", 0.0, load, alpha, speeds_rpm, oil, {}))
+
+        own = film(self)
+        return math.hypot(*(film(one) / own - 1 for one in self.variants))
+
+    def _attributes(
+        self,
+        zone: LoadZone,
+        found: xr.Dataset,
+        loads: Mapping[str, float],
+        speeds_rpm: tuple[float, float],
+        oil: Oil,
+    ) -> dict[str, Any]:
+        relative = speeds_rpm[0] - speeds_rpm[1]
+        factor = float(found["thermal_film_factor"].min()) if "thermal_film_factor" in found else 1
+        rolling = self.rolling_power_w(zone, speeds_rpm, oil, 1.0 if math.isnan(factor) else factor)
+        return {
+            "element": type(self).__name__,
+            **loads,
+            "inner_speed_rpm": speeds_rpm[0],
+            "outer_speed_rpm": speeds_rpm[1],
+            "oil": str(oil),
+            "ring_displacement_m": zone.radial_m,
+            "load_zone_half_width_deg": zone.half_width_deg,
+            "rolling_power_w": rolling,
+            "rolling_power_error": ERROR,
+            "sliding_power_w": 0.0,
+            "power_note": "rolling of loaded elements on both rings; without sliding in the "
+            "contacts by their curvature and spin, cage, seals and churning",
+            "kappa_iso_281": viscosity_ratio(oil, relative, self.pitch_diameter_m),
+            "unanswered_places": unanswered(found),
+            "worst": "; ".join(worst_places(found).values()),
+        }
+
+    def rolling_power_w(
+        self, zone: LoadZone, speeds_rpm: tuple[float, float], oil: Oil, inlet: float = 1.0
+    ) -> float:
+        """Return the power that rolling takes in all loaded contacts of both rings.
+
+        Parameters
+        ----------
+        zone : LoadZone
+            Of :meth:`load_zone`.
+        speeds_rpm : pair of float
+            Of the inner and the outer ring.
+        oil : Oil
+            At the temperature of the inlet.
+        inlet : float
+            Factor by the warm inlet.
+        """
+        angles = 360 * np.arange(self.elements) / self.elements
+        whole = 0.0
+        for load, alpha in zip(*zone.loads_at(angles), strict=True):
+            if load <= 0:
+                continue
+            speed = self.surface_speed_m_per_s(*speeds_rpm, float(alpha))
+            for ring in RINGS:
+                place = self._place(ring, 0.0, float(load), float(alpha), speeds_rpm, oil, {})
+                force = rolling_force(
+                    place.load_n,
+                    place.radius_x_m,
+                    place.radius_y_m,
+                    reduced_modulus(*place.bodies),
+                    oil.viscosity_pa_s,
+                    speed,
+                    place.length_m,
+                )
+                whole += 2 * force * speed * inlet
+        return whole
