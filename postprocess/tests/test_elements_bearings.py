@@ -94,7 +94,9 @@ def test_loads_balance_the_radial_load_and_follow_from_bisection() -> None:
             ]
             return sum(hertz_point(load, *r, reduced_modulus(*races[0])).approach_m for r in radii)
 
-        loaded = brentq(lambda q: press(q) - zone.radial_m + clearance / 2, 1, 5000, xtol=1e-12)
+        loaded = brentq(
+            lambda q, a=zone.radial_m - clearance / 2: press(q) - a, 1, 5000, xtol=1e-12
+        )
         assert loads[0] == pytest.approx(loaded, rel=1e-11)
 
 

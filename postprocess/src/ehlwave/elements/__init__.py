@@ -13,9 +13,13 @@ if TYPE_CHECKING:
     from ehlwave.elements.cam_follower import CamFollower
     from ehlwave.elements.cylindrical_roller_bearing import CylindricalRollerBearing
     from ehlwave.elements.deep_groove_ball_bearing import DeepGrooveBallBearing
+    from ehlwave.elements.document import read_element
+    from ehlwave.elements.figure import element_figure
     from ehlwave.elements.helical_gear_pair import HelicalGearPair
     from ehlwave.elements.mini_traction import MiniTraction
+    from ehlwave.elements.report import report_html, report_json
     from ehlwave.elements.spur_gear_pair import SpurGearPair
+    from ehlwave.elements.sweep_table import case_table, write_sweep
     from ehlwave.elements.tapered_roller_bearing import TaperedRollerBearing
     from ehlwave.elements.two_disc import TwoDisc
 
@@ -30,6 +34,12 @@ _HOMES = {
     "SpurGearPair": "spur_gear_pair",
     "TaperedRollerBearing": "tapered_roller_bearing",
     "TwoDisc": "two_disc",
+    "case_table": "sweep_table",
+    "element_figure": "figure",
+    "read_element": "document",
+    "report_html": "report",
+    "report_json": "report",
+    "write_sweep": "sweep_table",
 }
 
 __all__ = [
@@ -43,6 +53,12 @@ __all__ = [
     "SpurGearPair",
     "TaperedRollerBearing",
     "TwoDisc",
+    "case_table",
+    "element_figure",
+    "read_element",
+    "report_html",
+    "report_json",
+    "write_sweep",
 ]
 
 

@@ -100,9 +100,9 @@ def row_of(place: ElementContact, asked: Questions) -> Row:
         with warnings.catch_warnings(record=True) as raised:
             warnings.simplefilter("always", ExtrapolationWarning)
             _roughness(place, asked, row, reasons)
-        row["doubts"] = "; ".join(dict.fromkeys(str(one.message) for one in raised))
+        row["doubts"] = "\n".join(dict.fromkeys(str(one.message) for one in raised))
     _power(place, row, film)
-    row["refusal"] = "; ".join(dict.fromkeys(reasons))
+    row["refusal"] = "\n".join(dict.fromkeys(" ".join(one.split()) for one in reasons))
     return row
 
 

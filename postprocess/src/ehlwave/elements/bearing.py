@@ -191,6 +191,26 @@ class RollingBearing:
             if load > 0
         ]
 
+    def places(
+        self,
+        *,
+        points: int = 0,
+        rings: tuple[str, ...] = RINGS,
+        **given: Any,  # noqa: ANN401
+    ) -> list[ElementContact]:
+        """Return the contacts of all loaded elements with both rings.
+
+        Parameters
+        ----------
+        points : int
+            Not used: places are those of the elements.
+        rings : tuple of str
+            The rings.
+        **given
+            As of :meth:`contacts`.
+        """
+        return [place for ring in rings for place in self.contacts(ring=ring, **given)]
+
     def over_load_zone(
         self,
         *,

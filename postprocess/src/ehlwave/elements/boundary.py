@@ -29,7 +29,7 @@ KNOWN = {
     "6206": ((30, 62, 16), (9.525, 46.0, 9), "eng-tools.dev, series a/a2"),
     "6209": ((45, 85, 19), (12.7, 65.0, 9), "Hamrock's example in HenriqueBaron/tcc-modelo"),
 }
-"""Boundary dimensions d, D, B in mm; ball diameter and pitch diameter in mm, number of balls; source.
+"""Boundary dimensions d, D, B in mm; ball and pitch diameter in mm, number of balls; source.
 Bearings of examples are matched to designations by their dimensions."""
 
 

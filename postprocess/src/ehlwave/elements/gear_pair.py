@@ -146,6 +146,22 @@ class GearPair:
             options=options or {},
         )
 
+    def _distances_m(self, points: int) -> NDArray[np.float64]:
+        name = type(self).__name__
+        return np.linspace(*self.geometry.path_m, count(points, "points", name, 2))
+
+    def places(self, *, points: int = 9, **given: Any) -> list[ElementContact]:  # noqa: ANN401
+        """Return the contacts from A to E.
+
+        Parameters
+        ----------
+        points : int
+            Evenly spread, both ends included.
+        **given
+            As of :meth:`contact_at`.
+        """
+        return [self.contact_at(float(s), **given) for s in self._distances_m(points)]
+
     def along_path(
         self,
         *,
@@ -175,20 +191,16 @@ class GearPair:
             :data:`ehlwave.elements.columns.COLUMNS`. Attributes have mean powers of sliding and
             rolling, efficiency and the worst places.
         """
-        name = type(self).__name__
         questions = Questions(**asked)
-        distances = np.linspace(*self.geometry.path_m, count(points, "points", name, 2))
-        places = [
-            self.contact_at(
-                float(s),
-                pinion_torque_n_m=pinion_torque_n_m,
-                pinion_speed_rpm=pinion_speed_rpm,
-                oil=oil,
-                load_factor=load_factor,
-                options=questions.options,
-            )
-            for s in distances
-        ]
+        places = self.places(
+            pinion_torque_n_m=pinion_torque_n_m,
+            pinion_speed_rpm=pinion_speed_rpm,
+            oil=oil,
+            points=points,
+            load_factor=load_factor,
+            options=questions.options,
+        )
+        distances = self._distances_m(points)
         coordinates = {
             "distance_m": distances.tolist(),
             "pinion_angle_deg": [place.angle_deg for place in places],

@@ -39,8 +39,8 @@ class HelicalGearPair(GearPair):
     >>> from ehlwave.elements import HelicalGearPair
     >>> gears = HelicalGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.03,
     ...     helix_angle_deg=20)
-    >>> print(f"contact ratio {gears.geometry.contact_ratio:.2f}, overlap {gears.overlap_ratio:.2f}")
-    contact ratio 1.48, overlap 1.09
+    >>> print(f"contact ratio {gears.geometry.contact_ratio:.2f}")
+    contact ratio 1.48
     """
 
     def __init__(

@@ -187,3 +187,62 @@ def combined_zone(
         f"no equilibrium of radial_load_n = {radial_n:g} and axial_load_n = {axial_n:g}: raise the "
         "axial load, which holds an angular contact bearing together"
     )
+
+
+def tapered_zone(
+    loads_n: tuple[float, float],
+    rollers: int,
+    angle_rad: float,
+    stiffness: float,
+    axis_angle_deg: float,
+) -> LoadZone:
+    """Return the zone of rollers on cones: c_L (d_r cos(phi) cos(a) + d_a sin(a))^(10/9).
+
+    Parameters
+    ----------
+    loads_n : pair of float
+        Radial and axial load.
+    rollers : int
+        Number of rollers.
+    angle_rad : float
+        Contact angle a of the outer race.
+    stiffness : float
+        c_L.
+    axis_angle_deg : float
+        Angle of the roller's axis, which speeds take as contact angle.
+
+    Raises
+    ------
+    SurfaceError
+        If no equilibrium is found.
+    """
+    radial_n, axial_n = loads_n
+    turn = 2 * np.pi * np.arange(rollers) / rollers
+    cosine, sine = np.cos(angle_rad), np.sin(angle_rad)
+    alone = axial_n / rollers / sine
+    length = (max(alone, radial_n / rollers) / stiffness) ** (1 / ROLLER_POWER)
+
+    def press_at(moved: Floats, angles: Floats) -> Floats:
+        return np.asarray(moved[0] * np.cos(angles) * cosine + moved[1] * sine)
+
+    def excess(given: Floats) -> Floats:
+        load = stiffness * np.maximum(press_at(given * length, turn), 0) ** ROLLER_POWER
+        forces = (load * cosine * np.cos(turn)).sum() - radial_n, (load * sine).sum() - axial_n
+        return np.array(forces) / max(loads_n)
+
+    for share in (1.0, 0.3, 3.0, 10.0):
+        start = np.array([share * 3 * radial_n / max(loads_n), share / sine])
+        done = root(excess, start, method="hybr", tol=1e-14)
+        if np.abs(excess(done.x)).max() < BALANCED:
+            moved = done.x * length
+            tilted = np.radians(axis_angle_deg)
+            return LoadZone(
+                lambda turn, by=moved, at=tilted: (press_at(by, turn), np.full_like(turn, at)),
+                stiffness,
+                ROLLER_POWER,
+                *map(float, moved),
+            )
+    raise SurfaceError(
+        f"no equilibrium of radial_load_n = {radial_n:g} and axial_load_n = {axial_n:g}: raise the "
+        "axial load, which holds a tapered bearing together"
+    )

@@ -14,7 +14,9 @@ from ehlwave.elements.place import ElementContact
 
 WORST = {
     "minimum_film_m": ("thinnest film", min, 1e6, "um"),
+    "isothermal_central_film_m": ("thinnest central film without heat", min, 1e6, "um"),
     "lambda_ratio": ("smallest lambda ratio", min, 1.0, ""),
+    "isothermal_lambda_ratio": ("smallest lambda ratio without heat", min, 1.0, ""),
     "hertz_pressure_pa": ("highest Hertz pressure", max, 1e-9, "GPa"),
     "friction": ("largest friction", max, 1.0, ""),
     "rise_mid_film_k": ("hottest film", max, 1.0, "K"),
@@ -32,6 +34,14 @@ ERRORS = {
     "friction": "friction_error",
 }
 """Columns of relative errors by the column that they are of."""
+
+
+COORDINATES = {
+    "angle_deg": "angle in degrees",
+    "distance_m": "distance in m",
+    "pinion_angle_deg": "pinion angle in degrees",
+    "speed_m_per_s": "speed in m/s",
+}
 
 
 def table_of(
@@ -130,7 +140,7 @@ def _number(value: Any) -> float:  # noqa: ANN401
 
 
 def _coordinate(name: str) -> str:
-    return name.replace("_deg", " (deg)").replace("_m", " (m)").replace("_", " ")
+    return COORDINATES.get(name, name)
 
 
 def _written(value: Any) -> str:  # noqa: ANN401
