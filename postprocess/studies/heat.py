@@ -14,14 +14,13 @@ from numpy.typing import NDArray
 from ehlwave.contact import Conditions, conditions_from_keys
 from ehlwave.contact.heat_data import BodyHeat, Heat
 from ehlwave.laws.heat_laws import (
+    FAST,
     FRICTION_COEFFICIENTS,
-    INLET_COEFFICIENTS,
+    SLIP_BAR,
     friction_factor,
-    inlet_factor,
     sliding_film,
-    thermal_loading,
-    wall_parameter,
 )
+from ehlwave.laws.inlet_warming import inlet_factor, thermal_loading, wall_parameter
 from ehlwave.laws.sheared_film import Sheared, shear_isothermal, shear_warm
 from ehlwave.results.figures import write_figure
 from ehlwave.writing import Writer
@@ -80,12 +79,12 @@ def contact(rng: np.random.Generator, is_line: bool) -> Row:
     hertz, load = row.pop("hertz_pa"), "load_n_per_m" if is_line else "load_n"
     if not is_line:
         row["radius_y_m"] = row["radius_x_m"] / 0.2 ** rng.random()
-    one = conditions_from_keys({**_keys(row), load: 1.0}).hertz_pa
+    one = conditions_from_keys({**dimensional_keys(row), load: 1.0}).hertz_pa
     row[load] = (hertz / one) ** (2 if is_line else 3)
     return {name: float(f"{value:.4g}") for name, value in row.items()}
 
 
-def _keys(row: Mapping[str, float]) -> dict[str, float]:
+def dimensional_keys(row: Mapping[str, float]) -> dict[str, float]:
     """Return what conditions are given by."""
     names = (
         *("radius_x_m", "radius_y_m", "reduced_modulus_pa", "load_n", "load_n_per_m"),
@@ -101,7 +100,7 @@ def contacts(count: int, is_line: bool) -> list[Row]:
     rows: list[Row] = []
     while len(rows) < count:
         row = contact(rng, is_line)
-        c = conditions_from_keys(_keys(row))
+        c = conditions_from_keys(dimensional_keys(row))
         film = (c.central_film_m or math.nan) / (c.hertz_approach_c_m or math.nan)
         if LOADS[0] <= c.m <= LOADS[1] and OILS[0] <= c.l <= OILS[1] and film < THICKEST:
             rows.append(row)
@@ -136,7 +135,9 @@ def usable(folder: Path) -> pd.DataFrame:
 
 def _compared(case: Row, ratio: float) -> Row:
     """Return what laws take of a contact, and what they are compared with."""
-    given = _keys({k: v for k, v in case.items() if not (isinstance(v, float) and math.isnan(v))})
+    given = dimensional_keys(
+        {k: v for k, v in case.items() if not (isinstance(v, float) and math.isnan(v))}
+    )
     c = conditions_from_keys(given)
     bodies = (case[f"{name}_conductivity_w_per_m_k"] for name in ("body", "body2"))
     named = (name for name in EVEN_RANGES if name not in given)
@@ -157,6 +158,8 @@ def _compared(case: Row, ratio: float) -> Row:
         "ratio": ratio,
         "loading": float(thermal_loading(case["viscosity_pa_s"], beta, u, k)),
         "wall": wall_parameter(heat, film_m, c.semi_axis_a_m, u),
+        "film_over_approach": film_m / (c.hertz_approach_c_m or math.nan),
+        "radius_ratio_d": c.d,
         "film": warm_m / film_m,
         "inlet": warm_m / film_m * (1 - EXPANSION * mean),
         "hertz_over_modulus": c.hertz_pa / case["reduced_modulus_pa"],
@@ -182,20 +185,30 @@ def _sheared(c: Conditions, heat: Heat, tau0: float, film_m: float, warm_m: floa
 
 
 def report(folder: Path) -> None:
-    """Fit the laws; write laws.csv, contacts.csv and a figure; print a line for each law."""
+    """Fit the law of friction and judge the law of the inlet.
+
+    Writes laws.csv, contacts.csv and a figure; prints a line for each law.
+    """
     table = usable(folder)
     write_rows(folder / "contacts.csv", table.to_dict("records"), digits=5)
     fold = np.random.default_rng(1).permutation(len(table)) % FOLDS
-    s, x = table["ratio"].to_numpy(), table["loading"].to_numpy()
-
-    def inlet(p: Floats) -> Floats:
-        return inlet_factor(x, s, table["wall"].to_numpy(), p)
-
+    s = table["ratio"].to_numpy()
+    inlet = inlet_factor(
+        *(table[name] for name in ("loading", "ratio", "wall", "film_over_approach")),
+        table["radius_ratio_d"],
+    )
     rows = [_row("film, Gupta", None, gupta(table) - table["film"].to_numpy())]
-    film = table["inlet"].to_numpy()
-    best, errors = held_out(inlet, film, INLET_COEFFICIENTS, fold, **ROBUST)
-    rows.append(_row("film", best, errors / film))
-    rows.append(_row("film, rolling", None, (errors / film)[s == 0]))
+    errors = inlet / table["inlet"].to_numpy() - 1
+    rows.append(_row("film", None, errors))
+    rolls = inlet_factor(
+        table["loading"],
+        0.0,
+        *(table[name] for name in ("wall", "film_over_approach")),
+        table["radius_ratio_d"],
+    )
+    errors = np.maximum(np.abs(errors) - SLIP_BAR * (rolls / inlet - 1), 0)  # has a part of its own
+    for name, part in (("rolling", s == 0), ("sliding", (s > 0) & (s <= FAST)), ("fast", s > FAST)):
+        rows.append(_row(f"film, {name}", None, errors[part]))
     slides = table[table["ratio"] > 0]
     both = pd.concat([_part(slides, "cold", "isothermal"), _part(slides, "warm", "friction")])
 
@@ -217,7 +230,7 @@ def report(folder: Path) -> None:
             f"{row['within_95']:.4f}, largest {row['largest']:.3f}; "
             + ", ".join(f"{row[f'c{i}']:.4g}" for i in range(1, 8) if f"c{i}" in row)
         )
-    _draw(folder, table, inlet(np.array([rows[1][f"c{i}"] for i in range(1, 7)])), both, errors)
+    _draw(folder, table, inlet, both, errors)
 
 
 _FACTOR = ("thickness", "is_line", "stress", "warmth", "ratio")

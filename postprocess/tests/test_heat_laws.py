@@ -15,10 +15,9 @@ from ehlwave.contact.oil_heat import usual_heat
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.laws.heat_laws import (
     COLD_BAR,
+    FILM_BARS,
     FRICTION_BAR,
     FRICTION_COEFFICIENTS,
-    INLET_BAR,
-    INLET_COEFFICIENTS,
     warmed,
 )
 from ehlwave.laws.sheared_film import Sliding, shear_isothermal, shear_warm
@@ -68,9 +67,10 @@ def test_the_independent_solver() -> None:
 def test_coefficients_and_bars_are_those_of_the_record() -> None:
     with (ROOT / "postprocess/record/heat/laws.csv").open() as file:
         laws = {row["law"]: row for row in csv.DictReader(file)}
-    for name, used in (("film", INLET_COEFFICIENTS), ("friction", FRICTION_COEFFICIENTS)):
-        assert used == tuple(float(laws[name][f"c{i + 1}"]) for i in range(len(used)))
-    bars = {"film": INLET_BAR, "friction": FRICTION_BAR, "friction without heat": COLD_BAR}
+    used = FRICTION_COEFFICIENTS
+    assert used == tuple(float(laws["friction"][f"c{i + 1}"]) for i in range(len(used)))
+    bars = {f"film, {name}": bar for name, bar in FILM_BARS.items()}
+    bars |= {"friction": FRICTION_BAR, "friction without heat": COLD_BAR}
     for name, bar in bars.items():
         assert 0.85 * bar < float(laws[name]["within_95"]) < bar, name
 

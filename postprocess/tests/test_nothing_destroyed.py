@@ -10,11 +10,13 @@ from drawn_folders import CONDITIONS, DrawnFolder, Snapshot
 from matplotlib.figure import Figure
 from synthetic import make_columns, write_results
 
-from ehlwave import case_figures, cli, figures, results_cli
+from ehlwave import cli
+from ehlwave.cli import deform as deform_cli
 from ehlwave.cli import main
+from ehlwave.cli import results as results_cli
 from ehlwave.cli.named_files import inputs
+from ehlwave.results import case_figures, figures
 from ehlwave.results.refit import RefitRow
-from ehlwave.surface import cli as deform_cli
 from ehlwave.surface import figures as deform_figures
 from ehlwave.writing import LIST_NAME, OutputError, Writer
 

@@ -10,7 +10,8 @@ from ehlwave.cli import main
 from ehlwave.driver import Case, key_groups
 from ehlwave.errors import ProgramError, SurfaceError
 from ehlwave.inputs.effective_input import keys_of_input
-from ehlwave.surface import TableTransfer, conditions_from_keys, read_table, table_keys
+from ehlwave.laws import table_keys
+from ehlwave.surface import TableTransfer, conditions_from_keys, read_table
 
 Capture = pytest.CaptureFixture[str]
 

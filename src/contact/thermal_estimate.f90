@@ -1,48 +1,60 @@
 !> Estimated temperature rise of the oil, for a warning: the model is isothermal.
 module ehlwave_thermal_estimate
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_inlet_coefficients, only: usual_beta, usual_conductivity, usual_effusivity
+   use ehlwave_inlet_law, only: inlet_loss, inlet_loss_error, inlet_t, is_within_law
+   use ehlwave_kinds, only: dp, no_value, pi
    implicit none (type, external)
    private
-   public :: inlet_film_factor, inlet_rise_k, film_rise_k, surface_rise_k
+   public :: film_rise_k, rough_film_factor, surface_rise_k, warm_inlet
 
    !> Data of oil and bodies that temperatures depend on. Defaults: mineral oils and PAO (conductivity 0.12 to 0.15 W/(m
    !> K), viscosity falling by 3 to 6 % for a kelvin near 40 C; Hamrock, Schmid and Jacobson, Fundamentals of Fluid Film
    !> Lubrication, 2nd ed., 2004, chapter 4) and bearing steel (46 W/(m K), 7800 kg/m3, 470 J/(kg K)).
    type, public :: thermal_data_t
-      real(dp) :: oil_conductivity_w_per_m_k = 0.14_dp
-      real(dp) :: viscosity_decay_per_k = 0.04_dp              !! -d ln(eta0)/dT
-      real(dp) :: solid_effusivity = 1.3e4_dp                  !! (k rho c)^(1/2), W s^(1/2)/(m2 K)
+      real(dp) :: oil_conductivity_w_per_m_k = usual_conductivity
+      real(dp) :: viscosity_decay_per_k = usual_beta           !! -d ln(eta0)/dT
+      real(dp) :: solid_effusivity = usual_effusivity          !! (k rho c)^(1/2), W s^(1/2)/(m2 K)
    end type thermal_data_t
+
+   !> Film of a contact with a warm inlet over the isothermal film.
+   type, public :: warm_inlet_t
+      real(dp) :: film_factor = no_value
+      real(dp) :: error = no_value       !! of it; NaN where the law does not hold: then the factor is a low estimate
+      real(dp) :: rise_k = no_value      !! of the oil in the inlet that would thin the film by such a factor
+   end type warm_inlet_t
 
    real(dp), parameter :: film_exponent = 0.67_dp    ! of viscosity in the film thickness: Hamrock and Dowson 1977
    real(dp), parameter :: least_factor = 0.05_dp     ! keeps the fit of the inlet factor positive beyond its range
 
 contains
 
+   !> The law of warm inlets, theory eq. (T15), where it holds; beyond, the lower one of it and of (T3).
+   elemental type(warm_inlet_t) function warm_inlet(data, inlet, pressure_over_modulus)
+      type(thermal_data_t), intent(in) :: data
+      type(inlet_t), intent(in) :: inlet
+      real(dp), intent(in) :: pressure_over_modulus   !! ph/E'
+      warm_inlet%film_factor = 1 - inlet_loss(inlet)
+      if (is_within_law(inlet)) then
+         warm_inlet%error = inlet_loss_error(inlet)
+      else
+         warm_inlet%film_factor = min(warm_inlet%film_factor, &
+                                      rough_film_factor(inlet%loading, inlet%slide_roll, pressure_over_modulus))
+      end if
+      warm_inlet%rise_k = -log(warm_inlet%film_factor)/(film_exponent*data%viscosity_decay_per_k)
+   end function warm_inlet
+
    !> Film of a contact with a warm inlet over the isothermal film (Gupta, Cheng, Zhu, Forster and Schrand, Tribology
    !> Transactions 35, 1992, 269-274), theory eq. (T3):
    !>
    !>     (1 - 13.2 (ph/E') Lt^0.42)/(1 + 0.213 (1 + 2.23 s^0.83) Lt^0.64),    Lt = -(d eta0/dT) ubar^2/k,   s = |u1 -
    !>     u2|/ubar.
-   elemental real(dp) function inlet_film_factor(data, viscosity_pa_s, mean_speed_m_per_s, slide_roll, &
-      pressure_over_modulus)
-      type(thermal_data_t), intent(in) :: data
-      real(dp), intent(in) :: viscosity_pa_s          !! eta0
-      real(dp), intent(in) :: mean_speed_m_per_s      !! ubar
+   elemental real(dp) function rough_film_factor(loading, slide_roll, pressure_over_modulus)
+      real(dp), intent(in) :: loading                 !! Lt
       real(dp), intent(in) :: slide_roll              !! |u1 - u2|/ubar = 2 |S - 1|
       real(dp), intent(in) :: pressure_over_modulus   !! ph/E'
-      real(dp) :: loading
-      loading = data%viscosity_decay_per_k*viscosity_pa_s*mean_speed_m_per_s**2/data%oil_conductivity_w_per_m_k
-      inlet_film_factor = max(least_factor, 1 - 13.2_dp*pressure_over_modulus*loading**0.42_dp) &
+      rough_film_factor = max(least_factor, 1 - 13.2_dp*pressure_over_modulus*loading**0.42_dp) &
                           /(1 + 0.213_dp*(1 + 2.23_dp*slide_roll**0.83_dp)*loading**0.64_dp)
-   end function inlet_film_factor
-
-   !> Temperature rise of the oil in the inlet that would thin the film by such a factor, K.
-   elemental real(dp) function inlet_rise_k(data, film_factor)
-      type(thermal_data_t), intent(in) :: data
-      real(dp), intent(in) :: film_factor   !! of `inlet_film_factor`
-      inlet_rise_k = -log(film_factor)/(film_exponent*data%viscosity_decay_per_k)
-   end function inlet_rise_k
+   end function rough_film_factor
 
    !> Mean temperature of the film above that of the surfaces, K: heat made evenly across the film and conducted to
    !> both, q h/(12 k) with q = |tau| |u1 - u2|, theory eq. (T4). Three halves of it in the middle.

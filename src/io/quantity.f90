@@ -12,6 +12,7 @@ module ehlwave_quantity
       character(len=:), allocatable :: unit          !! '1': a plain number; '': a text
       character(len=kind_length) :: kind = ''        !! 'real', 'integer', 'logical', 'text', or 'list' of real numbers
       logical :: exists = .true.                     !! false: only others have it
+      character(len=:), allocatable :: error_of      !! result whose relative error it is, for people
       real(dp) :: number = no_value                  !! of all kinds but text and list; true is 1, false 0, NaN: unknown
       character(len=:), allocatable :: text
       real(dp), allocatable :: list(:)
@@ -43,12 +44,13 @@ contains
    end function find
 
    !> Add a real number, a whole one, a logical or a text, which is kept with its trailing blanks.
-   subroutine add(self, name, long_name, value, unit, exists)
+   subroutine add(self, name, long_name, value, unit, exists, error_of)
       class(quantity_list_t), intent(inout) :: self
       character(len=*), intent(in) :: name, long_name
       class(*), intent(in) :: value
       character(len=*), intent(in), optional :: unit   !! default: '1', of a text ''
       logical, intent(in), optional :: exists          !! default: true
+      character(len=*), intent(in), optional :: error_of   !! result whose relative error this is
       type(quantity_t) :: item
 
       item%name = name
@@ -71,6 +73,7 @@ contains
       end select
       if (present(unit)) item%unit = unit
       if (present(exists)) item%exists = exists
+      if (present(error_of)) item%error_of = error_of
       call append(self, item)
    end subroutine add
 

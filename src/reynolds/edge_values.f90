@@ -35,6 +35,7 @@ module ehlwave_edge_values
       procedure :: compare
       procedure :: run_dry
       procedure :: film_outside
+      procedure :: pressure_outside
       procedure :: impose
       procedure :: rough_from
    end type edge_values_t
@@ -97,8 +98,8 @@ contains
       integer :: k
       do k = 1, size(self%i)
          film = h(self%i(k), self%j(k)) - rough_at(self, given, k)
-         excess(k) = p(self%i(k), self%j(k)) - far_pressure(self, k, film)
-         slope(k) = 2*self%strength(k)/film**3/(1 - thickened(self, k, film))
+         excess(k) = p(self%i(k), self%j(k)) - far_pressure(self, self%strength(k), film)
+         slope(k) = 2*self%strength(k)/film**3/(1 - share_thickened(self, self%strength(k), film))
       end do
    end subroutine compare
 
@@ -130,12 +131,30 @@ contains
       real(dp), intent(in) :: times
       real(dp), allocatable, dimension(:), intent(out) :: area, h, thickened
       real(dp), allocatable :: x(:), y(:)
+      call places_outside(self, times, x, y, area, h)
+      thickened = share_thickened(self, self%far%strength(x, y), h)
+   end subroutine film_outside
+
+   !> Pressure at these places.
+   pure subroutine pressure_outside(self, times, area, x, p)
+      class(edge_values_t), intent(in) :: self
+      real(dp), intent(in) :: times
+      real(dp), allocatable, dimension(:), intent(out) :: area, x, p   !! dX dY, X, P
+      real(dp), allocatable :: h(:), y(:)
+      call places_outside(self, times, x, y, area, h)
+      p = far_pressure(self, self%far%strength(x, y), h)
+   end subroutine pressure_outside
+
+   !> The places themselves.
+   pure subroutine places_outside(self, times, x, y, area, h)
+      class(edge_values_t), intent(in) :: self
+      real(dp), intent(in) :: times
+      real(dp), allocatable, dimension(:), intent(out) :: x, y, area, h
       integer :: n
       allocate (x(0), y(0), area(0))
       if (size(self%i) > 0) call self%far%outside(self%x_min, self%y_max, x, y, area, times)
       h = [(self%far%film_at(x(n), y(n)), n=1, size(area))]
-      thickened = min(self%thickening*self%far%strength(x, y)/h**2, most_thickening)
-   end subroutine film_outside
+   end subroutine places_outside
 
    !> Give the edges the pressures of the far field.
    pure subroutine impose(self, given, h, p)
@@ -145,7 +164,8 @@ contains
       real(dp), intent(inout) :: p(0:, 0:)
       integer :: k
       do k = 1, size(self%i)
-         p(self%i(k), self%j(k)) = far_pressure(self, k, h(self%i(k), self%j(k)) - rough_at(self, given, k))
+         p(self%i(k), self%j(k)) = far_pressure(self, self%strength(k), &
+                                                h(self%i(k), self%j(k)) - rough_at(self, given, k))
       end do
    end subroutine impose
 
@@ -180,20 +200,19 @@ contains
       end if
    end function rough_at
 
-   pure real(dp) function far_pressure(self, k, h)
+   !> Pressure of the far field for a film.
+   elemental real(dp) function far_pressure(self, strength, h)
       class(edge_values_t), intent(in) :: self
-      integer, intent(in) :: k
-      real(dp), intent(in) :: h
-      far_pressure = self%strength(k)/h**2
-      if (self%thickening > 0) far_pressure = -log(1 - thickened(self, k, h))/self%thickening
+      real(dp), intent(in) :: strength, h   !! A, H
+      far_pressure = strength/h**2
+      if (self%thickening > 0) far_pressure = -log(1 - share_thickened(self, strength, h))/self%thickening
    end function far_pressure
 
    !> alpha q.
-   pure real(dp) function thickened(self, k, h)
+   elemental real(dp) function share_thickened(self, strength, h)
       class(edge_values_t), intent(in) :: self
-      integer, intent(in) :: k
-      real(dp), intent(in) :: h
-      thickened = min(self%thickening*self%strength(k)/h**2, most_thickening)
-   end function thickened
+      real(dp), intent(in) :: strength, h
+      share_thickened = min(self%thickening*strength/h**2, most_thickening)
+   end function share_thickened
 
 end module ehlwave_edge_values

@@ -7,6 +7,7 @@ module ehlwave_case_result
    use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_pair_result, only: pair_result_t
+   use ehlwave_rolling_result, only: rolling_result_t
    use ehlwave_shear_result, only: shear_result_t
    use ehlwave_starved_result, only: starved_result_t
    use ehlwave_status, only: status_pending
@@ -64,6 +65,7 @@ module ehlwave_case_result
       type(oil_sensitivity_t) :: by_oil(2)           !! by ln(alpha), by ln(stress of the flow law)
       type(starved_result_t) :: starved              !! of a contact with too little oil
       type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates
+      type(rolling_result_t) :: rolling              !! its resistance to rolling
       type(heat_result_t) :: heat                    !! temperatures of the smooth contact, if they are found
       character(len=:), allocatable :: warning       !! what the model leaves out and matters here, else empty
       ! the largest over all solutions of the case

@@ -116,11 +116,16 @@ contains
       type(level_t), intent(in) :: level             !! the finest
       type(case_result_t), intent(inout) :: result
       real(dp) :: left, outside, short     ! short: by an inlet that is too short
+      logical :: lacks_oil
 
       left = merge(plan%film_domain_error, 0.0_dp, level%problem%grid%is_flooded)
       short = merge(result%starved%edge_error, 0.0_dp, level%problem%grid%is_flooded)
       result%minimum_film_domain_error = smallest_domain_share*left + short
       result%minimum_film_error = result%minimum_film_error + result%minimum_film_domain_error
+      lacks_oil = ieee_is_finite(result%starved%film_over_flooded)
+      if (lacks_oil) lacks_oil = result%starved%is_full_to_edge(level%problem%grid)
+      call result%rolling%add_errors(result%central_film_error, left + short, result%heat%film_error(), &
+                                     lacks_oil)
       if (.not. ieee_is_finite(result%friction_error)) return
       outside = friction_outside(level%problem, level%state, &
                                  max(fewest_domains, plan%conditions%radius_over_a()/abs(plan%x_min)))

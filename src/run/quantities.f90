@@ -7,6 +7,7 @@
 module ehlwave_quantities
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_conditions, only: conditions_t
    use ehlwave_error_account, only: validity_text
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_heat_result, only: heat_result_t
@@ -14,6 +15,7 @@ module ehlwave_quantities
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
+   use ehlwave_rolling_result, only: rolling_result_t
    use ehlwave_starved_result, only: starved_result_t
    use ehlwave_status, only: status_name
    use ehlwave_wave_quantities, only: add_pair, add_response, add_sensitivities
@@ -48,22 +50,27 @@ contains
       call list%add('mean_film', 'mean of H(0,0) over what is measured: a period, all phases, or a surface', &
          result%mean_film)
       call list%add('march_from', "what the march that Ad/Ai is from started in: 'rest' or 'waves'", trim(result%route))
-      call list%add('central_film_error', 'estimated relative error of central_film', result%central_film_error)
-      call list%add('minimum_film_error', 'estimated relative error of minimum_film', result%minimum_film_error)
+      call list%add('central_film_error', 'estimated relative error of central_film', result%central_film_error, &
+                    error_of='H(0,0)')
+      call list%add('minimum_film_error', 'estimated relative error of minimum_film', result%minimum_film_error, &
+                    error_of='smallest H')
       call list%add('minimum_film_error_domain', 'part of it by the edges of the domain', &
                     result%minimum_film_domain_error)
-      call list%add('friction_error', 'estimated relative error of friction_coefficient', result%friction_error)
+      call list%add('friction_error', 'estimated relative error of friction_coefficient', result%friction_error, &
+                    error_of='friction')
       call list%add('friction_error_domain', 'part of it by the oil outside the domain, out to radius_x_m from the '// &
                     'centre and at least twice the domain', result%friction_domain_error)
       call list%add('film_error_basis', 'what the errors of film and friction are from', trim(result%film_error_basis))
       call list%add('film_order', 'observed order of central_film on three levels', result%film_order)
-      call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error)
+      call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error, &
+                    error_of='Ad/Ai')
       call list%add('amplitude_error_basis', 'what amplitude_ratio_error is from', &
                     trim(result%amplitude_error_basis))
       call add_parts(list, 'film', 'H(0,0)', result%film_errors)
       call add_parts(list, 'ratio', 'Ad/Ai', result%ratio_errors)
       call list%add('error_estimate', 'sum of the parts of the error of Ad/Ai, of two surfaces of the worse one, '// &
-                    'of smooth contacts of H(0,0): what accuracy is about', result%error_estimate)
+                    'of smooth contacts of H(0,0): what accuracy is about', result%error_estimate, &
+                    error_of=trim(merge('Ad/Ai ', 'H(0,0)', case%has_ratio())))
       call list%add('refinements', 'runs on finer grids than the first, for an accuracy', result%refinements)
       call list%add('validity', 'what the result holds for: edges, linear range, warnings', &
                     validity_text(case, plan, result%warning))
@@ -117,7 +124,7 @@ contains
       call list%add('film_over_flooded', 'R, central_film over flooded_central_film', starved%film_over_flooded, &
                     exists=is_short)
       call list%add('film_over_flooded_error', 'estimated relative error of film_over_flooded by the mesh', &
-                    starved%film_over_flooded_error, exists=is_short)
+                    starved%film_over_flooded_error, exists=is_short, error_of='film over flooded R')
       call list%add('flooded_central_film', 'H(0,0) of the flooded contact with the same domain and edges', &
                     starved%flooded_film, exists=is_short)
       call list%add('oil_offered', 'r at Y = 0, oil offered over what the flooded contact passes', &
@@ -152,13 +159,46 @@ contains
          call list%add('share_beyond_limit', 'share of the load borne where the shear stress is above its limit', &
                        r%share_beyond_limit)
          call list%add('inlet_temperature_rise_k', 'estimated temperature rise of the oil in the inlet', &
-            r%inlet_rise_k, unit='K', exists=is_estimated)
+            r%inlet%rise_k, unit='K', exists=is_estimated)
+         call list%add('inlet_film_factor', 'film with an inlet as warm over the isothermal film, estimated', &
+            r%inlet%film_factor, exists=is_estimated)
+         call list%add('inlet_film_factor_error', 'its error; unknown where the factor is a rough low estimate', &
+            r%inlet%error, exists=is_estimated)
          call list%add('contact_temperature_rise_k', 'estimated mean temperature rise of the oil in the contact', &
             r%contact_rise_k, unit='K', exists=is_estimated)
       end associate
+      call add_rolling(list, plan%conditions, result%rolling)
       call add_heat(list, case, plan, result%heat)
       call list%add('warning', 'what the model leaves out and matters here', result%warning)
    end subroutine add_shear
+
+   !> Resistance to rolling.
+   subroutine add_rolling(list, conditions, rolling)
+      type(quantity_list_t), intent(inout) :: list
+      type(conditions_t), intent(in) :: conditions
+      type(rolling_result_t), intent(in) :: rolling
+      character(len=4) :: per_width
+
+      per_width = merge('/m  ', '    ', conditions%is_line())
+      associate (c => conditions)
+         call list%add('pressure_centre_x', 'X of the centre of pressure of the smooth contact, oil outside the '// &
+                       'domain included, out to radius_x_m and at least twice the domain', rolling%pressure_centre_x)
+         call list%add('rolling_resistance_coefficient', 'force that resists rolling at each surface of the smooth '// &
+                       'contact over the load, the same oil included', rolling%coefficient)
+         call list%add('rolling_resistance', 'force that resists rolling, at each surface', rolling%force(c), &
+                       unit='N'//trim(per_width), exists=c%has_dimensions)
+         call list%add('rolling_moment', 'moment of the pressure about the contact centre, rolling_resistance '// &
+                       'times 2 radius_x_m', rolling%moment(c), unit=trim(merge('N  ', 'N m', c%is_line())), &
+                       exists=c%has_dimensions)
+         call list%add('rolling_power', 'power that rolling takes, rolling_resistance times the sum of the speeds', &
+                       rolling%power(c), unit='W'//trim(per_width), exists=c%has_dimensions)
+         call list%add('rolling_resistance_error', 'estimated relative error of them', rolling%error, &
+                       error_of='rolling resistance')
+         call list%add('rolling_resistance_error_domain', 'part of it by the edges of the domain and the oil outside', &
+                       rolling%domain_error)
+         call list%add('rolling_resistance_outside', 'share of them by oil outside the domain', rolling%share_outside)
+      end associate
+   end subroutine add_rolling
 
    !> Temperatures and heat, where they are found.
    subroutine add_heat(list, case, plan, heat)

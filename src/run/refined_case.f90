@@ -1,10 +1,12 @@
 !> Runs one case, and again on finer grids if its estimated error is above the `accuracy` of the input.
 module ehlwave_refined_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_account, only: errors_text, take_errors
    use ehlwave_error_parts, only: error_parts_t
+   use ehlwave_error_warning, only: error_warning
    use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: linear_limit_text
@@ -14,6 +16,8 @@ module ehlwave_refined_case
    use ehlwave_plan_effort, only: most_work
    use ehlwave_plan_refinement, only: refine_plan
    use ehlwave_planned_case, only: case_plan_t
+   use ehlwave_quantities, only: add_result
+   use ehlwave_quantity, only: quantity_list_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_converged, status_inaccurate, status_interrupted
    use ehlwave_text, only: to_text
@@ -26,13 +30,28 @@ module ehlwave_refined_case
 
 contains
 
+   !> Run a case, with an accuracy on finer grids, and warn of large errors: see `run_and_refine`.
+   subroutine run_refined_case(case, plan, monitor, result, shared, keeper)
+      type(case_t), intent(in) :: case              !! completed input
+      type(case_plan_t), intent(inout) :: plan
+      class(monitor_t), intent(inout) :: monitor
+      type(case_result_t), intent(out) :: result
+      type(shared_steady_t), intent(inout), target, optional :: shared
+      class(march_keeper_t), intent(inout), optional :: keeper
+      type(quantity_list_t) :: quantities
+
+      call run_and_refine(case, plan, monitor, result, shared, keeper)
+      call add_result(quantities, case, plan, result)
+      call add_warning(result, error_warning(quantities))
+   end subroutine run_refined_case
+
    !> Run a case as planned, see `run_estimated_case`. With an accuracy and flooded edges it is run again on finer grids
    !> while the estimate is above it; `plan` is then that of the result. What stays above it is `inaccurate`. With
    !> truncated edges, which old results have, the estimate is told and nothing follows from it.
    !>
    !> A case that is stopped in a finer run counts as interrupted; its finer runs start again. When its time is up
    !> there, the result before stands.
-   subroutine run_refined_case(case, plan, monitor, result, shared, keeper)
+   subroutine run_and_refine(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(inout) :: plan
       class(monitor_t), intent(inout) :: monitor
@@ -90,7 +109,7 @@ contains
       result%message = 'estimated relative error '//to_text(result%error_estimate, 2)//' ('// &
                        errors_text(parts_of(case, result))//') above the accuracy of '//to_text(case%accuracy, 2)// &
                        advice(case, plan, result)
-   end subroutine run_refined_case
+   end subroutine run_and_refine
 
    !> Whether the error of what the case is about was found on coarser grids, if that was not left to the model.
    pure logical function is_measured(case, result)

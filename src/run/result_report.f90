@@ -55,7 +55,8 @@ contains
       if (ieee_is_finite(result%central_film_error)) write (unit, &
          '(a)') 'Estimated    relative errors: H(0,0) by the grid '// &
          to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)// &
-         friction_error()//trim(merge(' (from a model)', '               ', result%film_error_basis == 'model'))// &
+         friction_error()//rolling_error()// &
+         trim(merge(' (from a model)', '               ', result%film_error_basis == 'model'))// &
          amplitude_error()
       if (plan%surfaces%is_rough() .and. ieee_is_finite(result%ratio_errors%mesh)) then
          write (unit, '(a)') '             of Ad/Ai in all '//to_text(result%error_estimate, 2)//': '// &
@@ -106,6 +107,13 @@ contains
             text = ', friction not known'
          end if
       end function friction_error
+
+      function rolling_error() result(text)
+         character(len=:), allocatable :: text
+         text = ''
+         if (ieee_is_finite(result%rolling%coefficient)) &
+            text = ', rolling resistance '//to_text(result%rolling%error, 2)
+      end function rolling_error
 
       function amplitude_error() result(text)
          character(len=:), allocatable :: text
@@ -166,15 +174,30 @@ contains
          associate (r => result%shear)
             if (ieee_is_finite(r%friction_coefficient)) write (unit, '(a)') 'Friction     coefficient '// &
                to_text(r%friction_coefficient, 5)//largest_b()
+            if (ieee_is_finite(result%rolling%coefficient)) call print_rolling()
             if (ieee_is_finite(result%heat%isothermal_film)) then
                call print_heat()
-            else if (ieee_is_finite(r%inlet_rise_k) .and. .not. case%heat%is_given()) then
-               write (unit, '(a)') '             estimated temperature rise: inlet '//to_text(r%inlet_rise_k, 2)// &
+            else if (ieee_is_finite(r%inlet%rise_k) .and. .not. case%heat%is_given()) then
+               write (unit, '(a)') '             estimated temperature rise: inlet '//to_text(r%inlet%rise_k, 2)// &
                   ' K, contact '//to_text(r%contact_rise_k, 2)//' K (the model is isothermal)'
             end if
          end associate
          if (result%warning /= '') write (unit, '(a)') 'Warning      '//result%warning
       end subroutine print_shear
+
+      subroutine print_rolling()
+         character(len=:), allocatable :: outside
+         outside = ''
+         associate (r => result%rolling, c => plan%conditions)
+            if (r%share_outside > 0) &
+               outside = ', '//to_text(100*r%share_outside, 2)//' % of it by oil outside the domain'
+            write (unit, '(a)') 'Rolling      resistance coefficient '//to_text(r%coefficient, 5)//outside
+            if (c%has_dimensions) write (unit, '(a)') '             force '//to_text(r%force(c), 4)// &
+               trim(merge(' N/m', ' N  ', c%is_line()))//' at each surface, moment '//to_text(r%moment(c), 4)// &
+               trim(merge(' N  ', ' N m', c%is_line()))//' about the contact centre, power '//to_text(r%power(c), 4)// &
+               trim(merge(' W/m', ' W  ', c%is_line()))
+         end associate
+      end subroutine print_rolling
 
       subroutine print_heat()
          associate (h => result%heat)

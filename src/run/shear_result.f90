@@ -3,11 +3,12 @@ module ehlwave_shear_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_inlet_law, only: inlet_t
    use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_shear_stress, only: friction_of, knows_stress, least_pressure, shear_stress
    use ehlwave_state, only: state_t
    use ehlwave_text, only: to_text
-   use ehlwave_thermal_estimate, only: film_rise_k, inlet_film_factor, inlet_rise_k, surface_rise_k, thermal_data_t
+   use ehlwave_thermal_estimate, only: film_rise_k, surface_rise_k, thermal_data_t, warm_inlet, warm_inlet_t
    implicit none (type, external)
    private
 
@@ -18,8 +19,8 @@ module ehlwave_shear_result
       real(dp) :: largest_b = no_value              !! largest |B| where P > 0; NaN of a Newtonian oil
       real(dp) :: tangent_factor(2) = no_value      !! at the centre, along X and along Y; 1 of a Newtonian oil
       real(dp) :: share_beyond_limit = no_value     !! of the load, borne where |tau| is above its limit
-      real(dp) :: inlet_rise_k = no_value, contact_rise_k = no_value   !! estimated temperature rises
-      real(dp) :: inlet_film_factor = no_value      !! film with a warm inlet over the isothermal one, estimated
+      type(warm_inlet_t) :: inlet                   !! estimated effect of its own shear on the inlet
+      real(dp) :: contact_rise_k = no_value         !! estimated temperature rise of the oil in the contact
    contains
       procedure :: take
       procedure :: warning
@@ -28,7 +29,7 @@ module ehlwave_shear_result
 
    real(dp), parameter :: usual_limit = 0.08_dp     !! largest |tau|/p that oils bear
    real(dp), parameter :: much_load = 0.01_dp       ! of a share beyond the limit,
-   real(dp), parameter :: thin_film = 0.95_dp       ! of the factor of the inlet,
+   real(dp), parameter :: thin_film = 0.98_dp       ! of the film factor of the inlet,
    real(dp), parameter :: warm_contact_k = 10       ! viscosity falls by a third: what makes a warning
 
 contains
@@ -69,13 +70,20 @@ contains
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: central_film   !! H(0,0)
       type(thermal_data_t) :: thermal
+      type(inlet_t) :: contact
       real(dp) :: stress_pa
 
       associate (data => conditions%data, ph => conditions%hertz_pressure_pa, u => conditions%data%mean_speed_m_per_s, &
                  s => conditions%slip_parameter)
-         self%inlet_film_factor = inlet_film_factor(thermal, data%viscosity_pa_s, u, 2*abs(s - 1), &
-                                                    ph/data%reduced_modulus_pa)
-         self%inlet_rise_k = inlet_rise_k(thermal, self%inlet_film_factor)
+         contact%loading = thermal%viscosity_decay_per_k*data%viscosity_pa_s*u**2/thermal%oil_conductivity_w_per_m_k
+         contact%slide_roll = 2*abs(s - 1)
+         contact%wall = thermal%oil_conductivity_w_per_m_k/(central_film*conditions%c_m)*sqrt(conditions%a_m/u) &
+                        /thermal%solid_effusivity
+         contact%film = central_film
+         contact%m = conditions%m
+         contact%l = conditions%l
+         contact%d = conditions%d
+         self%inlet = warm_inlet(thermal, contact, ph/data%reduced_modulus_pa)
          ! times mean pressure
          stress_pa = abs(self%friction_coefficient)*ph*merge(pi/4, 2/3.0_dp, conditions%is_line())
          self%contact_rise_k = film_rise_k(thermal, stress_pa, 2*abs(s - 1)*u, central_film*conditions%c_m) &
@@ -96,15 +104,28 @@ contains
          to_text(100*self%share_beyond_limit, 2)// &
          ' % of the load is borne, and no limit is modelled '// &
          '(shear_limit_over_pressure): friction is too high'
-      if (.not. is_warm .and. is_above(1 - self%inlet_film_factor, 1 - thin_film)) text = text// &
-         '; the inlet would warm by about '// &
-         to_text(self%inlet_rise_k, 2)//' K, which makes the film '//to_text(100*(1 - self%inlet_film_factor), 2)// &
-         ' % thinner, and the model is isothermal'
+      if (.not. is_warm .and. is_above(1 - self%inlet%film_factor, 1 - thin_film)) text = text//'; '//inlet_text(self)
       if (.not. is_warm .and. is_above(self%contact_rise_k, warm_contact_k)) text = text// &
          '; the oil in the contact would warm by about '// &
          to_text(self%contact_rise_k, 2)//' K, and the model is isothermal: friction is too high'
       text = text(min(3, len(text) + 1):)
    end function warning
+
+   !> Warning of a warm inlet.
+   function inlet_text(self) result(text)
+      class(shear_result_t), intent(in) :: self
+      character(len=:), allocatable :: rise, text, thinner
+      associate (inlet => self%inlet)
+         rise = to_text(inlet%rise_k, 2)//' K, which makes the film '
+         thinner = to_text(100*(1 - inlet%film_factor), 2)//' % thinner'
+         if (ieee_is_finite(inlet%error)) then
+            text = 'the inlet would warm by about '//rise//thinner//' (within '//to_text(100*inlet%error, 2)//' %)'
+         else
+            text = 'the inlet would warm by at most about '//rise//'up to '//thinner//' (a rough upper estimate)'
+         end if
+      end associate
+      text = text//', and the model is isothermal: &heat computes it'
+   end function inlet_text
 
    !> Whether a value is there and above a limit.
    pure logical function is_above(value, limit)

@@ -33,7 +33,8 @@ contains
          harmonic%film_limit)
       call put_complex('harmonic_pressure_extrapolated', &
          'transfer function pattern (in c) to P(0,0) at mesh size 0', harmonic%pressure_limit)
-      call put('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
+      call put('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error, &
+               error_of='linear response'//of)
       call put('harmonic_error_basis', 'what harmonic_error is from', trim(harmonic%error_basis))
       call put('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', &
          harmonic%mean_rise)
@@ -53,11 +54,11 @@ contains
 
    contains
 
-      subroutine put(name, long_name, value, unit)
+      subroutine put(name, long_name, value, unit, error_of)
          character(len=*), intent(in) :: name, long_name
          class(*), intent(in) :: value
-         character(len=*), intent(in), optional :: unit
-         call list%add(name//number, long_name//of, value, unit=unit, exists=exists)
+         character(len=*), intent(in), optional :: unit, error_of
+         call list%add(name//number, long_name//of, value, unit=unit, exists=exists, error_of=error_of)
       end subroutine put
 
       subroutine put_complex(name, long_name, value, unit)

@@ -168,7 +168,7 @@ class Install(FolderTest):
         source = ROOT/"postprocess"/"src"
         files = {path.relative_to(source) for path in source.glob("ehlwave*/**/*")
                  if path.is_file() and path.name[0] != "." and path.suffix != ".pyc" and ".egg-info" not in str(path)}
-        self.assertIn(Path("ehlwave", "atlas", "rolling.nc"), files)
+        self.assertIn(Path("ehlwave", "laws", "atlas", "rolling.nc"), files)
         cache = (BUILD/"CMakeCache.txt").read_text()
         folder = re.search(r"^EHLWAVE_INSTALL_PYTHONDIR:\w+=(.*)$", cache, re.MULTILINE)[1]   # a packager's choice
         self.assertEqual(files - {path.relative_to(folder) for path in self.files if path.is_relative_to(folder)}, set())

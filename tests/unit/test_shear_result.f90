@@ -6,11 +6,12 @@ program test_shear_result
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_errors, only: error_t
    use ehlwave_grid, only: grid_t, new_grid
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_shear_result, only: shear_result_t
    use ehlwave_shear_stress, only: mean_shear_stress
    use ehlwave_state, only: new_state, state_t
+   use ehlwave_thermal_estimate, only: warm_inlet_t
    use testing, only: test_t
    implicit none (type, external)
 
@@ -76,12 +77,15 @@ contains
                             'the shear stress is above 0.08 of the pressure where 50 % of the load') == 1, &
                       'limit')
       r%share_beyond_limit = 0
-      r%inlet_film_factor = 0.9_dp
-      r%inlet_rise_k = 4
+      r%inlet = warm_inlet_t(0.9_dp, 0.02_dp, 4.0_dp)
       r%contact_rise_k = 30
       call test%check(index(r%warning(.false., .false.), &
-                            'the inlet would warm by about 4 K, which makes the film 10 % thinner') == 1, &
+                            'the inlet would warm by about 4 K, which makes the film 10 % thinner (within 2 %)') == 1, &
                       'inlet')
+      r%inlet%error = no_value
+      call test%check(index(r%warning(.false., .false.), &
+                            'the inlet would warm by at most about 4 K, which makes the film up to 10 % thinner') == 1, &
+                      'inlet beyond the law')
       call test%check(index(r%warning(.false., .false.), 'the oil in the contact would warm by about 30 K') > 0, 'contact')
       call test%check_equal(r%warning(.false., .true.), '', 'a model with heat has that')
       r%share_beyond_limit = 0.5_dp

@@ -362,7 +362,7 @@ def key_table() -> pd.DataFrame:
     except (ValueError, KeyError) as error:
         program = find_program("ehlwave-case")
         raise ProgramError(
-            f"{program}: lists no keys as JSON: take the one of {__package__}"
+            f"{program}: lists no keys as JSON: take the program of {__package__}"
         ) from error
 
 

@@ -108,7 +108,7 @@ class SmoothContact:
         ...     speeds_m_per_s=(11, 9), heat=True)
         >>> found = contact.film().heated
         >>> print(f"friction {found.friction:.3f} in place of {found.isothermal_friction:.3f}")
-        friction 0.018 in place of 0.038
+        friction 0.019 in place of 0.038
         """
         found, names = contact_keys(body1, body2, oil, keys)
         if heat is True:

@@ -49,13 +49,13 @@ def starvation(options: argparse.Namespace) -> int:
     ),
 )
 def heat(options: argparse.Namespace) -> int:
-    """Fit laws of film and friction of contacts with heat.
+    """Fit the law of friction of contacts with heat, and judge the law of warm inlets.
 
     Computes contacts drawn over pressure, speed, oil, bodies and slide-to-roll ratio, with and
-    without heat. Fits by how much the warm inlet thins the film, and friction over that of an even
-    film under Hertz pressure, contacts held out. Ten minutes on one core. Writes lines.h5,
-    points.h5, contacts.csv, laws.csv and a figure. The coefficients in laws.csv are those of
-    ehlwave.laws.heat_laws.
+    without heat. Fits friction over that of an even film under Hertz pressure, contacts held out,
+    and compares films with the law of ``scripts/study inlet``. Ten minutes on one core. Writes
+    lines.h5, points.h5, contacts.csv, laws.csv and a figure. The coefficients in laws.csv are those
+    of ehlwave.laws.heat_laws.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
@@ -65,6 +65,35 @@ def heat(options: argparse.Namespace) -> int:
     for name in ("lines", "points"):
         steps.sweep(folder / f"{name}.nml")
     return steps.report("heat", "report", folder)
+
+
+@study(
+    "inlet",
+    output("inlet"),
+    at_once(),
+    option("--lines", "COUNT", "line contacts that are computed (default 400)", 400),
+    option("--points", "COUNT", "elliptical ones (default 500)", 500),
+    option(
+        "--cells", "N", "cells along each side of these (default 128), a quarter of lines'", 128
+    ),
+)
+def inlet(options: argparse.Namespace) -> int:
+    """Fit the law by how much the shear of its own inlet thins a film.
+
+    Computes contacts drawn as in ``scripts/study heat``, rounder and with thicker films too, with
+    and without heat. Fits the loss of film over thermal loading, sliding, bodies, film and shape,
+    contacts held out. Ten minutes on one core. Writes lines.h5, points.h5, contacts.csv, law.csv
+    and the tables of both languages; copies of the latter replace src/contact/
+    inlet_coefficients.f90 and ehlwave.laws.inlet_coefficients.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare()
+    folder = options.output
+    steps.python("inlet_law", "cases", folder, *given(options, "lines", "points", "cells"))
+    for name in ("lines", "points"):
+        steps.sweep(folder / f"{name}.nml")
+    return steps.report("inlet_law", "report", folder)
 
 
 @study(

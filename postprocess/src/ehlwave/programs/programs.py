@@ -36,9 +36,9 @@ def find_program(name: str) -> Path:
         return Path(found)
     here = Path(__file__).resolve()
     built = [
-        here.parents[3] / "build" / preset / "drivers" / name for preset in ("native", "release")
+        here.parents[4] / "build" / preset / "drivers" / name for preset in ("native", "release")
     ]
-    wheel = here.parents[1] / "ehlwave_programs" / "bin" / name
+    wheel = here.parents[2] / "ehlwave_programs" / "bin" / name
     for path in (*built, wheel):
         if os.access(path, os.X_OK):
             return path
@@ -53,7 +53,7 @@ def find_run_sweep() -> Path | None:
 
     In this order: the folder ``EHLWAVE_PROGRAMS``; the source tree of this package; ``PATH``.
     """
-    folders = [Path(__file__).resolve().parents[3] / "scripts"]
+    folders = [Path(__file__).resolve().parents[4] / "scripts"]
     if folder := os.environ.get("EHLWAVE_PROGRAMS"):
         folders.insert(0, Path(folder))
     for place in folders:

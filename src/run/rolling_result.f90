@@ -1,0 +1,95 @@
+!> Resistance to rolling of the smooth contact, by the moment of its pressure: theory eq. (T12) to (T14).
+module ehlwave_rolling_result
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_error_estimate, only: estimate_error, formal_order
+   use ehlwave_hierarchy, only: level_t
+   use ehlwave_kinds, only: dp, no_value
+   use ehlwave_rolling_moment, only: shift_inside, shift_outside, wet_share
+   implicit none (type, external)
+   private
+
+   !> NaN where it is not known: the coefficient without E' and pressure, the others without lengths.
+   type, public :: rolling_result_t
+      real(dp) :: pressure_centre_x = no_value        !! X of the pressure's centre, oil outside the domain included
+      real(dp) :: coefficient = no_value              !! resisting force at each surface over the load
+      real(dp) :: share_outside = no_value            !! of it, by oil outside the domain
+      real(dp) :: error = no_value                    !! relative, of all of them
+      real(dp) :: domain_error = no_value             !! part of it by the edges of the domain
+      real(dp), private :: share_missing = 0          ! of it, that oil outside a dry edge would have
+   contains
+      procedure :: take
+      procedure :: add_errors
+      procedure :: force
+      procedure :: moment
+      procedure :: power
+   end type rolling_result_t
+
+   integer, parameter :: fewest_domains = 2        !! out to which oil counts, at least
+   real(dp), parameter :: mesh_margin = 2           !! of what grids show
+   real(dp), parameter :: starved_order = 1        !! with two grids
+   real(dp), parameter :: film_share = 0.25_dp     !! of the film error, at least: grids can agree by chance
+   real(dp), parameter :: far_share = 0.03_dp      !! error of the far field, over what it contributes
+
+contains
+
+   !> Account of a steady solution. Oil outside the domain counts out to Rx, where bodies are no longer paraboloids.
+   subroutine take(self, levels, is_starved)
+      class(rolling_result_t), intent(inout) :: self
+      type(level_t), intent(in) :: levels(:)   !! finest first
+      logical, intent(in) :: is_starved        !! whether it has a meniscus, whose place is of first order
+      real(dp) :: all_outside, outside, shift(size(levels)), times
+      integer :: l
+
+      shift = no_value
+      associate (problem => levels(1)%problem)
+         times = max(real(fewest_domains, dp), problem%conditions%radius_over_a()/abs(problem%grid%x(0)))
+         all_outside = shift_outside(problem, times)
+         outside = all_outside*wet_share(problem, levels(1)%state)
+         do l = 1, size(levels)
+            if (levels(l)%has_film()) shift(l) = shift_inside(levels(l)%problem, levels(l)%state) + outside
+         end do
+         self%pressure_centre_x = -shift(1)
+         self%share_outside = outside/shift(1)
+         self%share_missing = (all_outside - outside)/shift(1)
+         self%error = mesh_margin*estimate_error(shift, merge(starved_order, formal_order, is_starved))
+         if (problem%conditions%radius_over_a() > 0) &
+            self%coefficient = shift(1)/(2*problem%conditions%radius_over_a())
+      end associate
+   end subroutine take
+
+   !> Complete the error, which so far is that of the mesh; where no second grid shows that, it is the film error.
+   pure subroutine add_errors(self, film_error, edge_error, heat_error, lacks_oil)
+      class(rolling_result_t), intent(inout) :: self
+      real(dp), intent(in) :: film_error   !! of H(0,0), relative, by the mesh
+      real(dp), intent(in) :: edge_error   !! by the edges of the domain
+      real(dp), intent(in) :: heat_error   !! by temperatures that have not settled and by the levels across the film
+      logical, intent(in) :: lacks_oil     !! whether a longer domain would be full from farther upstream
+      if (.not. ieee_is_finite(self%error)) self%error = film_error
+      self%domain_error = edge_error + far_share*self%share_outside
+      if (lacks_oil) self%domain_error = self%domain_error + self%share_missing
+      self%error = max(self%error, film_share*film_error) + self%domain_error + heat_error
+   end subroutine add_errors
+
+   !> Force at each surface, N, of a line contact N/m.
+   pure real(dp) function force(self, conditions)
+      class(rolling_result_t), intent(in) :: self
+      type(conditions_t), intent(in) :: conditions
+      force = self%coefficient*merge(conditions%data%load_n_per_m, conditions%data%load_n, conditions%is_line())
+   end function force
+
+   !> Moment of the pressure about the contact centre, N m, of a line contact N.
+   pure real(dp) function moment(self, conditions)
+      class(rolling_result_t), intent(in) :: self
+      type(conditions_t), intent(in) :: conditions
+      moment = 2*conditions%data%radius_x_m*self%force(conditions)
+   end function moment
+
+   !> Power that it takes at both surfaces, W, of a line contact W/m.
+   pure real(dp) function power(self, conditions)
+      class(rolling_result_t), intent(in) :: self
+      type(conditions_t), intent(in) :: conditions
+      power = 2*conditions%data%mean_speed_m_per_s*self%force(conditions)
+   end function power
+
+end module ehlwave_rolling_result
