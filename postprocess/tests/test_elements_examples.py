@@ -1,11 +1,14 @@
 """Elements in TOML files: each example answers, by the command, with its reports."""
 
+import doctest
 import json
+from importlib import import_module
 from pathlib import Path
 
 import pytest
 
 import ehlwave
+from ehlwave import elements
 from ehlwave.cli import main
 from ehlwave.elements.document import CALLS, KINDS, read_element
 from ehlwave.elements.drawing import DRAWINGS, drawing_svg
@@ -76,3 +79,14 @@ def test_drawings_are_the_same_again() -> None:
     assert drawing_svg("CamFollower") == drawing_svg("CamFollower")
     with pytest.raises(ehlwave.EhlwaveError):
         drawing_svg("Screw")
+
+
+MODULES = sorted(
+    path.stem for path in Path(elements.__file__).parent.glob("*.py") if path.stem != "__init__"
+)
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_examples_of_docstrings_print_what_they_say(name: str) -> None:
+    module = import_module(f"ehlwave.elements.{name}")
+    assert doctest.testmod(module).failed == 0

@@ -218,3 +218,23 @@ def test_cases_have_the_moes_parameters_of_the_contacts() -> None:
     again = ehlwave.Contact(**row).conditions
     own = place.contact.conditions
     assert (again.m, again.l, again.d) == pytest.approx((own.m, own.l, own.d), rel=1e-10)
+
+
+def test_starved_band_and_a_layer_of_oil() -> None:
+    """Much oil gives the flooded film, little oil the layer under pressure."""
+    bearing = CylindricalRollerBearing(
+        roller_diameter_m=0.016, roller_length_m=0.016, pitch_diameter_m=0.08, rollers=9
+    )
+    given = {"radial_load_n": 10800.0, "inner_speed_rpm": 3000.0, "oil": OIL, "points": 1}
+    films = []
+    for layer in (1e-7, 1e-4):
+        found = bearing.over_load_zone(**given, oil_layer_m=layer).isel(angle_deg=0)
+        films.append(found["film_starved_m"].values)
+        flooded = found["central_film_m"].values
+        assert found["film_starved_low_m"].values == pytest.approx(0.3 * flooded, rel=0.02)
+    assert films[1] == pytest.approx(flooded, rel=0.01)
+    assert (films[0] < 1e-7).all()
+    assert (films[0] > 0.7e-7).all()  # oil under pressure is denser
+    passes = bearing.overrolling_time_s(3000)
+    cage = 3000 * (1 - 0.016 / 0.08) / 2
+    assert passes == pytest.approx(60 / (9 * (3000 - cage)), rel=EXACT)

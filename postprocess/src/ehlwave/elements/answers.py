@@ -14,7 +14,8 @@ from ehlwave.contact.heat_data import Heat
 from ehlwave.elements.hertz import reduced_modulus
 from ehlwave.elements.place import ElementContact
 from ehlwave.elements.practice import iso_gear_film_m
-from ehlwave.elements.rolling_resistance import rolling_force
+from ehlwave.elements.rolling_resistance import force_of
+from ehlwave.elements.starved import starved_row
 from ehlwave.errors import ExtrapolationWarning, RangeError, StressError
 from ehlwave.laws.answers import Film
 from ehlwave.operating_point import Contact
@@ -40,6 +41,9 @@ class Questions:
         With a trace: also stresses, Dang Van's factor and life, which take most of the time.
     oil_over_flooded : float, optional
         r of starved contacts that roll.
+    oil_layer_m : float, optional
+        Thickness of the oil on both surfaces together before a contact that rolls, from which r and
+        the film are estimated.
     reading : mapping
         Options of :class:`ehlwave.surface.ReadOptions` for the traces.
     """
@@ -49,6 +53,7 @@ class Questions:
     heat: Heat | bool | None = None
     stress: bool = True
     oil_over_flooded: float | None = None
+    oil_layer_m: float | None = None
     reading: dict[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -101,6 +106,8 @@ def row_of(place: ElementContact, asked: Questions) -> Row:
             warnings.simplefilter("always", ExtrapolationWarning)
             _roughness(place, asked, row, reasons)
         row["doubts"] = "\n".join(dict.fromkeys(str(one.message) for one in raised))
+    if place.slide_to_roll_ratio == 0 and asked.oil_over_flooded is None:
+        row |= starved_row(place, row, asked.oil_layer_m)
     _power(place, row, film)
     row["refusal"] = "\n".join(dict.fromkeys(" ".join(one.split()) for one in reasons))
     return row
@@ -195,15 +202,7 @@ def _power(place: ElementContact, row: Row, film: Film | None) -> None:
     speed = place.mean_speed_m_per_s
     if speed == 0:
         return
-    force = rolling_force(
-        place.load_n,
-        place.radius_x_m,
-        place.radius_y_m,
-        reduced_modulus(*place.bodies),
-        place.oil.viscosity_pa_s,
-        speed,
-        place.length_m,
-    )
+    force = force_of(place)
     if film is not None and film.heated is not None:
         force *= film.heated.inlet_factor
     row["rolling_resistance_n"] = force

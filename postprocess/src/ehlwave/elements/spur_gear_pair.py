@@ -51,7 +51,7 @@ class SpurGearPair(GearPair):
     >>> (found["slide_to_roll_ratio"].values + 0.0).round(2).tolist()
     [-1.28, 0.01, 1.03]
     >>> (found["hertz_pressure_pa"].values * 1e-9).round(2).tolist()
-    [0.68, 0.8, 0.48]
+    [0.67, 0.8, 0.48]
     """
 
     def __init__(

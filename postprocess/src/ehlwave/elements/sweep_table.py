@@ -34,7 +34,7 @@ def case_table(places: Sequence[ElementContact]) -> pd.DataFrame:
     >>> oil = ehlwave.Oil(viscosity_pa_s=0.01, pressure_viscosity_per_pa=2.2e-8)
     >>> table = case_table(bearing.contacts(radial_load_n=10800, inner_speed_rpm=5000, oil=oil))
     >>> table["load_n_per_m"].round(-3).tolist()
-    [308000.0, 219000.0, 219000.0, 18000.0, 18000.0]
+    [308000.0, 229000.0, 44000.0, 44000.0, 229000.0]
     """
     if len({place.length_m is None for place in places}) > 1:
         raise SurfaceError("case_table: points and lines need a table each")
