@@ -36,7 +36,7 @@ def drawing_svg(element: str) -> str:
 
     chosen(element, "element", DRAWINGS, "drawing_svg")
     file = io.StringIO()
-    with rc_context({"svg.hashsalt": "ehlwave", "font.size": 9}):
+    with rc_context({"svg.hashsalt": "ehlwave", "svg.fonttype": "none", "font.size": 9}):
         figure = Figure(figsize=(6.4, 3.4), layout="constrained")
         axes = figure.subplots()
         DRAWINGS[element](axes)
