@@ -1,6 +1,6 @@
 """Draw the pictures of machine elements that pages of the manual show.
 
-    python postprocess/manual/draw_elements.py
+python postprocess/manual/draw_elements.py
 """
 
 from pathlib import Path

@@ -17,7 +17,8 @@ from ehlwave.elements import (
     case_table,
 )
 from ehlwave.elements.practice import reference_viscosity_mm2_per_s, stribeck_load_n
-from ehlwave.elements.rolling_resistance import rolling_force
+from ehlwave.elements.rolling_resistance import error_of, rolling_force
+from studies.rolling import biboulet_houpert_line, biboulet_houpert_point
 
 EXACT = 1e-12
 OIL = ehlwave.Oil.from_grade(
@@ -238,3 +239,46 @@ def test_starved_band_and_a_layer_of_oil() -> None:
     passes = bearing.overrolling_time_s(3000)
     cage = 3000 * (1 - 0.016 / 0.08) / 2
     assert passes == pytest.approx(60 / (9 * (3000 - cage)), rel=EXACT)
+
+
+PROGRAM = (
+    (3e4, None, 0.01, 2.0, 0.03, 65.31),
+    (1e5, None, 0.01, 2.0, 0.03, 71.10),
+    (3e5, None, 0.01, 5.0, 0.03, 139.68),
+    (3e5, None, 0.01, 1.0, 0.03, 42.746),
+    (1e6, None, 0.01, 10.0, 0.03, 232.79),
+    (20, 0.01, 0.01, 1.0, 0.02, 0.011209),
+    (100, 0.01, 0.01, 3.0, 0.02, 0.036423),
+    (30, 0.03, 0.01, 2.0, 0.02, 0.045876),
+    (100, 0.05, 0.01, 2.0, 0.02, 0.074202),
+    (300, 0.1, 0.005, 4.0, 0.02, 0.18514),
+    (1000, 0.1, 0.005, 4.0, 0.02, 0.24662),
+    (600, 0.15, 0.005, 3.0, 0.02, 0.20693),
+)
+"""Load (lines: per length), Ry, Rx, speed, viscosity, and rolling resistance of ehlwave-case at
+E' = 226 GPa, alpha = 18 1/GPa."""
+
+
+@pytest.mark.parametrize("given", PROGRAM)
+def test_rolling_resistance_of_the_program_is_within_the_error(given: tuple[float, ...]) -> None:
+    load, across, along, speed, viscosity, computed = given
+    length = 1.0 if across is None else None
+    ry = math.inf if across is None else across
+    found = rolling_force(load, along, ry, 2.26e11, viscosity, speed, length)
+    assert computed == pytest.approx(found, rel=error_of(length))
+
+
+def test_rolling_resistance_is_that_of_the_study() -> None:
+    """Written independently, as the shift of the centre of pressure."""
+    modulus, radius, load, u, eta = 2.26e11, 0.01, 20.0, 1.0, 0.02
+    speed = 2 * eta * u / (modulus * radius)
+    m = load / (modulus * radius**2) / speed**0.75
+    half = (1.5 * load * radius / modulus) ** (1 / 3)
+    shift = biboulet_houpert_point(m, 1, speed) * half
+    force = load * shift / (2 * radius)
+    assert rolling_force(load, radius, radius, modulus, eta, u) == pytest.approx(force, rel=1e-9)
+    m = 3e5 / (modulus * radius) / math.sqrt(speed)
+    half = math.sqrt(8 * 3e5 * radius / (math.pi * modulus))
+    force = 3e5 * biboulet_houpert_line(m) * half / (2 * radius)
+    line = rolling_force(3e5, radius, math.inf, modulus, eta, u, 1.0)
+    assert line == pytest.approx(force, rel=1e-9)

@@ -17,7 +17,7 @@ from ehlwave.elements.inside_error import inside_error, widen
 from ehlwave.elements.load_zone import LoadZone
 from ehlwave.elements.place import ElementContact
 from ehlwave.elements.practice import viscosity_ratio
-from ehlwave.elements.rolling_resistance import ERROR, rolling_power_w
+from ehlwave.elements.rolling_resistance import error_of, rolling_power_w
 from ehlwave.elements.table import table_of, unanswered, worst_places
 
 RINGS = ("inner", "outer")
@@ -282,7 +282,7 @@ class RollingBearing:
             "ring_displacement_m": zone.radial_m,
             "load_zone_half_width_deg": zone.half_width_deg,
             "rolling_power_w": rolling,
-            "rolling_power_error": ERROR,
+            "rolling_power_error": error_of(self.length_m()),
             "sliding_power_w": 0.0,
             "power_note": "rolling of loaded elements on both rings; without sliding in the "
             "contacts by their curvature and spin, cage, seals and churning",

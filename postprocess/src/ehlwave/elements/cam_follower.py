@@ -17,7 +17,7 @@ from ehlwave.elements.cam_motion import CamMotion, periodic
 from ehlwave.elements.given import above, at_least, count
 from ehlwave.elements.material import elastic_of
 from ehlwave.elements.place import ElementContact
-from ehlwave.elements.rolling_resistance import ERROR
+from ehlwave.elements.rolling_resistance import LINE_ERROR
 from ehlwave.elements.table import table_of, unanswered, worst_places
 from ehlwave.errors import SurfaceError
 
@@ -228,7 +228,7 @@ class CamFollower(CamMotion):
             "opposite_speeds_deg": ", ".join(f"{one:g}" for one in opposite) or "none",
             "sliding_power_w": _mean(found, "sliding_power_w"),
             "rolling_power_w": _mean(found, "rolling_power_w"),
-            "rolling_power_error": ERROR,
+            "rolling_power_error": LINE_ERROR,
             "unanswered_places": unanswered(found),
             "worst": "; ".join(worst_places(found).values()),
         }

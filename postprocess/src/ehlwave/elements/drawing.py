@@ -147,7 +147,7 @@ def _gear(axes: Axes, *, is_helical: bool = False) -> None:
     bases = [r * math.cos(alpha) for r in rolling]
     centres = np.array([0.0, 0.0]), np.array([sum(rolling), 0.0])
     for centre, base, r in zip(centres, bases, rolling, strict=True):
-        _disc(axes, centre[0], centre[1], r + 0.42, facecolor="0.95", ls="-", lw=0.8)
+        _disc(axes, centre[0], centre[1], r + 0.26, facecolor="0.95", ls="-", lw=0.8)
         _disc(axes, centre[0], centre[1], r, facecolor="none", ls="--", lw=0.8)
         _disc(axes, centre[0], centre[1], base, facecolor=STEEL, lw=1.0)
         axes.plot(*centre, "+", color=EDGE)
@@ -156,7 +156,7 @@ def _gear(axes: Axes, *, is_helical: bool = False) -> None:
     action = sum(rolling) * math.sin(alpha)
     end = foot + action * along
     axes.plot(*zip(foot, end, strict=True), color=INK, lw=1.4)
-    ends = [math.sqrt((r + 0.42) ** 2 - b**2) for r, b in zip(rolling, bases, strict=True)]
+    ends = [math.sqrt((r + 0.26) ** 2 - b**2) for r, b in zip(rolling, bases, strict=True)]
     for letter, s in (("A", action - ends[1]), ("C", bases[0] * math.tan(alpha)), ("E", ends[0])):
         point = foot + s * along
         axes.plot(*point, "o", color=INK, ms=3.5)

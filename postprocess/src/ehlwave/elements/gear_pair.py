@@ -18,7 +18,7 @@ from ehlwave.elements.given import above, at_least, count, pair
 from ehlwave.elements.involute import InvolutePair
 from ehlwave.elements.material import elastic_of
 from ehlwave.elements.place import ElementContact
-from ehlwave.elements.rolling_resistance import ERROR
+from ehlwave.elements.rolling_resistance import LINE_ERROR
 from ehlwave.elements.table import table_of, unanswered, worst_places
 from ehlwave.errors import SurfaceError
 
@@ -231,7 +231,7 @@ class GearPair:
             "named_points_mm": points,
             "sliding_power_w": sliding,
             "rolling_power_w": rolling,
-            "rolling_power_error": ERROR,
+            "rolling_power_error": LINE_ERROR,
             "efficiency": 1 - (sliding + rolling) / through,
             "power_note": "mean over the mesh of sliding and rolling; without churning, windage "
             "and bearings",

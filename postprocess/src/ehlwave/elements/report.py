@@ -39,6 +39,7 @@ def report_text(table: xr.Dataset) -> str:
     lines += [f"  {part}" for part in str(table.attrs["worst"]).split("; ") if part]
     for name, words in (
         ("rolling_power_w", "rolling power, W"),
+        ("rolling_power_error", "relative error of the rolling power"),
         ("sliding_power_w", "sliding power, W"),
         ("efficiency", "efficiency"),
         ("kappa_iso_281", "kappa of ISO 281"),

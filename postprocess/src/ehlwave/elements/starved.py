@@ -3,8 +3,8 @@
 R, film over flooded film, follows from r, the oil offered over the oil that the flooded contact
 passes: R = r (1 + r^g)^(-1/g) (:mod:`ehlwave.contact.starvation`). Without r nobody knows the film;
 tables of contacts that roll have the film at r = 0.3 as lower end of a band whose upper end is the
-flooded film. g is that of the law, outside its range of contacts continued: at r = 0.3, R is 0.3 within 2 % for
-any g above 2.5, since hardly any oil is pushed aside.
+flooded film. g is that of the law, outside its range of contacts continued: at r = 0.3, R is 0.3
+within 2 % for any g above 2.5, since hardly any oil is pushed aside.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from ehlwave.contact.data_sheet import Oil
 from ehlwave.elements.answers import Questions
 from ehlwave.elements.given import above
 from ehlwave.elements.place import ElementContact
-from ehlwave.elements.rolling_resistance import ERROR
+from ehlwave.elements.rolling_resistance import error_of
 from ehlwave.elements.table import table_of, unanswered, worst_places
 from ehlwave.quantities import number
 
@@ -116,7 +116,7 @@ class TestRig:
             "load_n": load_n,
             "slide_to_roll_ratio": slide_to_roll_ratio,
             "oil": str(oil),
-            "rolling_power_error": ERROR,
+            "rolling_power_error": error_of(self.length_m),
             "unanswered_places": unanswered(found),
             "worst": "; ".join(worst_places(found).values()),
         }
