@@ -98,7 +98,10 @@ class ElementDocument:
             raise SurfaceError("[oil] is missing: give iso_vg and temperature_k, such as 343.15")
         if "name" in sheet:
             return Oil.named(sheet.pop("name"), **sheet)
-        return Oil(**sheet) if "viscosity_pa_s" in sheet else Oil.from_grade(**sheet)
+        if "viscosity_pa_s" not in sheet:
+            return Oil.from_grade(**sheet)
+        _check_names(Oil, sheet, "oil", "Oil")
+        return Oil(**sheet)
 
     def asked(self) -> dict[str, Any]:
         """Return conditions and questions as arguments of the call."""
@@ -121,11 +124,17 @@ class ElementDocument:
         found: list[ElementContact] = self.element().places(oil=self.oil(), **conditions)
         return found
 
-    def table(self) -> xr.Dataset:
-        """Return the table of the element."""
+    def table(self, **more: Any) -> xr.Dataset:  # noqa: ANN401
+        """Return the table of the element.
+
+        Parameters
+        ----------
+        **more
+            Arguments of the call, such as ``trace``, before those of the file.
+        """
         element = self.element()
         call = getattr(element, CALLS[self.name][1])
-        asked = self.asked()
+        asked = self.asked() | more
         known = {*inspect.signature(call).parameters, "trace", "second", "heat", "stress"}
         known |= {"reading", "oil_over_flooded", "oil_layer_m"}
         if hasattr(element, "load_zone"):

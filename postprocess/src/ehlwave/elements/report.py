@@ -108,6 +108,23 @@ def report_html(table: xr.Dataset, inputs: str = "", drawing_svg: str = "") -> s
         Drawing of the element.
     """
     name = str(table.attrs["element"])
+    given = f"<h2>Input</h2><pre>{escape(inputs)}</pre>" if inputs else ""
+    return (
+        f"<!doctype html><html lang='en'><head><meta charset='utf-8'><title>{name}</title>"
+        f"<style>{STYLE}</style></head><body><h1>{name}</h1>{drawing_svg}"
+        f"{report_body(table)}{given}</body></html>"
+    )
+
+
+def report_body(table: xr.Dataset) -> str:
+    """Return the report as a part of a page: worst places, figures, numbers, sources.
+
+    Parameters
+    ----------
+    table : xarray.Dataset
+        Of an element.
+    """
+    name = str(table.attrs["element"])
     file = io.BytesIO()
     element_figure(table).savefig(file, format="png", dpi=DOTS_PER_INCH)
     picture = base64.b64encode(file.getvalue()).decode()
@@ -126,16 +143,13 @@ def report_html(table: xr.Dataset, inputs: str = "", drawing_svg: str = "") -> s
         for key, text in FORMULAS.items()
         if key in table
     )
-    given = f"<h2>Input</h2><pre>{escape(inputs)}</pre>" if inputs else ""
     return (
-        f"<!doctype html><html lang='en'><head><meta charset='utf-8'><title>{name}</title>"
-        f"<style>{STYLE}</style></head><body><h1>{name}</h1>{drawing_svg}"
         f"<h2>Worst places</h2><ul>{worst}</ul><h2>Figures</h2>"
         f"<p>Bands are relative errors.</p><img alt='{name}' "
         f"src='data:image/png;base64,{picture}'><h2>Not answered, or doubtful</h2>"
         f"{notes or '<p>Nothing.</p>'}<h2>Numbers of the element</h2><table>{attributes}</table>"
         f"<h2>Numbers of each place</h2><div class='wide'>{_html_table(table)}</div>"
-        f"<h2>Where the numbers come from</h2><table>{formulas}</table>{given}</body></html>"
+        f"<h2>Where the numbers come from</h2><table>{formulas}</table>"
     )
 
 
