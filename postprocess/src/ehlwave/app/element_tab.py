@@ -24,6 +24,7 @@ from ehlwave.errors import ResultsError, printable
 from ehlwave.surface.read import ReadOptions
 
 _LOG = logging.getLogger("ehlwave.app")
+EYRING = "Ree-Eyring"
 PAIRS = ("teeth", "profile_shift")
 COUNTS = ("balls", "rollers", "teeth_1", "teeth_2")
 HEAT = {"isothermal": False, "with heat (oil by data sheet)": True}
@@ -48,6 +49,7 @@ class ElementTab:
         self.drawing = pn.pane.HTML(sizing_mode="stretch_width")
         self.oil = OilForm()
         self.oil.kind.value = BY_GRADE
+        self.oil.flow.value = EYRING
         self.heat = select("Film and friction", HEAT)
         self.file = FileField(sizing_mode="stretch_width", margin=(4, 6))
         self.button = pn.widgets.Button(
@@ -57,7 +59,8 @@ class ElementTab:
         self.element.param.watch(self._show, "value")
         self._show()
         surface = section("Roughness of race, pinion or cam (optional)", self.file)
-        parts = (self.element, self.drawing, *self.views.values(), self.heat)
+        head, last = in_rows([self.element]), in_rows([self.heat])
+        parts = (head, self.drawing, *self.views.values(), last)
         self.inputs = column(section(name, *parts), self.oil.view, surface, self.button)
         self.first = pn.pane.HTML("", stylesheets=OUTPUT, sizing_mode="stretch_width")
         self.report = pn.pane.HTML("", stylesheets=[*OUTPUT, STYLE], sizing_mode="stretch_width")

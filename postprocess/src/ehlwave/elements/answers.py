@@ -16,7 +16,7 @@ from ehlwave.elements.place import ElementContact
 from ehlwave.elements.practice import iso_gear_film_m
 from ehlwave.elements.rolling_resistance import force_of
 from ehlwave.elements.starved import starved_row
-from ehlwave.errors import ExtrapolationWarning, RangeError, StressError
+from ehlwave.errors import ExtrapolationWarning, ProgramError, RangeError, StressError
 from ehlwave.laws.answers import Film
 from ehlwave.operating_point import Contact
 from ehlwave.surface.pair import DeformedPair
@@ -25,6 +25,8 @@ from ehlwave.surface.read import ReadOptions, read_surface
 from ehlwave.surface.surface import Surface
 
 Row = dict[str, Any]
+REFUSALS = (RangeError, StressError, ProgramError)
+"""Errors that leave a number out, with their message as the reason; others are the user's."""
 
 
 @dataclass(frozen=True)
@@ -121,11 +123,11 @@ def _film(place: ElementContact, asked: Questions, row: Row, reasons: list[str])
             cold = place.contact_with(options).film()
             row["isothermal_central_film_m"] = cold.central_m
             row["isothermal_central_film_error"] = cold.central_error
-        except RangeError as error:
+        except REFUSALS as error:
             reasons.append(f"without heat: {error}")
     try:
         film = place.contact.film()
-    except RangeError as error:
+    except REFUSALS as error:
         reasons.append(str(error))
         return None
     for name in ("central", "minimum"):
@@ -150,14 +152,14 @@ def _roughness(place: ElementContact, asked: Questions, row: Row, reasons: list[
     try:
         if asked.stress:
             deformed = _stress(place.contact, asked, row)
-    except (RangeError, StressError) as error:
+    except REFUSALS as error:
         reasons.append(str(error))
     try:
         row |= _lambda(place.contact, asked, deformed)
-    except RangeError as error:
+    except REFUSALS as error:
         reasons.append(str(error))
         if asked.heat:
-            with contextlib.suppress(RangeError):
+            with contextlib.suppress(*REFUSALS):
                 cold = _lambda(place.contact_with(asked.options | {"heat": None}), asked, ())
                 row |= {f"isothermal_{name}": value for name, value in cold.items()}
     if place.length_m is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -44,7 +45,9 @@ def drawing_svg(element: str) -> str:
         axes.set_axis_off()
         figure.savefig(file, format="svg", metadata={"Date": None})
     text = file.getvalue()
-    return text[text.index("<svg") :]
+    text = text[text.index("<svg") :]
+    size = 'style="width:100%;max-width:460pt;height:auto"'
+    return re.sub(r'width="[\d.]+pt" height="[\d.]+pt"', size, text, count=1)
 
 
 def _disc(axes: Axes, x: float, y: float, r: float, **style: Any) -> None:  # noqa: ANN401
