@@ -22,6 +22,9 @@ from ehlwave.choices import DECIMALS, FORMS, WINDOWS
 from ehlwave.errors import SurfaceError
 
 TRANSFERS = {
+    "First law that holds, else computed": None,
+    "Laws alone, nothing computed": "laws",
+    "Computed": "computed",
     "Atlas of computed responses": "atlas",
     "Law of the two waves": "two-waves",
     "Recommended formula": "recommended",

@@ -130,7 +130,7 @@ def read_surface(path: SurfaceSource | Surface, options: ReadOptions | None = No
         _refuse_options(path, said)
         return path
     file, found = _found(path, said)
-    raw = _without_single_line(found)
+    raw = _without_single_line(found, file, said)
     if raw.height.ndim not in (1, 2):
         raise SurfaceError(f"{file}: heights have {raw.height.ndim} dimensions, not one or two")
     height_metres = _height_unit(file, raw, said.height_unit)
@@ -177,12 +177,22 @@ def _found(source: SurfaceSource, options: ReadOptions) -> tuple[Path, RawSurfac
     return place, raw
 
 
-def _without_single_line(raw: RawSurface) -> RawSurface:
-    """Return a map of one row or one column as the trace it is."""
+def _without_single_line(raw: RawSurface, file: Path, options: ReadOptions) -> RawSurface:
+    """Return a map of one row or one column as the trace it is.
+
+    Raises SurfaceError for one column without positions or a step along it: nothing states whether
+    the trace was measured along or across rolling.
+    """
     if raw.height.ndim != 2 or 1 not in raw.height.shape:
         return raw
     if raw.height.shape[0] == 1:
         return replace(raw, height=raw.height.ravel(), y=None)
+    if raw.y is None and raw.step_across is None and options.step_across is None:
+        raise SurfaceError(
+            f"{file}: heights of shape {raw.height.shape} are one column of unknown direction: "
+            "give them one-dimensional (heights[:, 0]), with rolling_axis='x' for a trace along "
+            "rolling, 'y' for one across"
+        )
     return replace(
         raw, height=raw.height.ravel(), x=raw.y, y=None, step=raw.step_across, is_across=True
     )

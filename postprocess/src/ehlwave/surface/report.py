@@ -79,8 +79,8 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
 
 
 def brief_text(result: Deformed) -> str:
-    """Return the answer, then conditions, film, errors, what is not judged and warnings alone."""
-    kept = "Answer", "Conditions", "Reduced by", "Film", "Not judged", "Warning"
+    """Return the answer, surface, conditions, film, errors, unjudged components and warnings."""
+    kept = "Answer", "Surface", "Conditions", "Reduced by", "Film", "Not judged", "Warning"
     lines, heading = [], ""
     for line in report_text(result).splitlines():
         heading = heading if line.startswith(" ") else line
