@@ -106,7 +106,7 @@ class SmoothContact:
         >>> contact.replace(load_parameter_m=200)
         Contact(M=200, L=10, D=1, S=1)
         """
-        own = {"heat": self._heat, "atlas": self._atlas, **self._keys}
+        own: dict[str, Any] = {"heat": self._heat, "atlas": self._atlas, **self._keys}
         if RATIO in changes:
             own.pop(SLIP, None)
         if SLIP in changes:
