@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ehlwave.choices import FILM_BY, chosen_or_none
+from ehlwave.choices import FILM_BY, HOW, LAWS, chosen_or_none
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
@@ -236,6 +236,7 @@ class SmoothContact:
         return Asked(c, self._heat, self._own_atlas(), self._eyring_stress_pa)
 
     def _transfer(self, slip: float | None, by: str | None) -> Transfer:
+        chosen_or_none(by, "by", (*LAWS, *HOW))
         key = slip, by
         if key not in self._transfers:
             self._transfers[key] = transfer_for(self._asked(slip), by)
