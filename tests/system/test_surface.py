@@ -1,8 +1,10 @@
 """A measured surface in the full simulation: what is read, refused, computed and written."""
 
 import math
+import os
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from ehlwave_program import FolderTest, last_line, namelist, run
 from hdf5_reading import h5py, read
@@ -37,6 +39,26 @@ class Surfaces(FolderTest):
         inputs = {"conditions": CONTACT, "surface": {"file": "s.h5"}, "grid": GRID, **groups}
         Path(self.folder, "case.nml").write_text(namelist({name: keys for name, keys in inputs.items() if keys}))
         return run("case", "case.nml", *arguments, folder=self.folder)
+
+    def test_files_that_another_program_holds(self):
+        """A surface that is being written is refused with the way out; results that somebody has open are replaced."""
+        self.write([ridge()])
+        with h5py.File(self.folder/"s.h5", "r+"):
+            held = self.run_case("--plan")
+            with mock.patch.dict(os.environ, {"HDF5_USE_FILE_LOCKING": "FALSE"}):
+                free = self.run_case("--plan")
+        self.check_status(held, 2)
+        self.assertRegex(held.stderr, r"&surface file = 's.h5': another program holds it open for writing[^\n]*HDF5_USE_FILE_LOCKING")
+        self.check_status(free)
+        with h5py.File(self.folder/"s.h5", "r"):
+            self.check_status(self.run_case("--plan"))
+        smooth = {"conditions": CONTACT, "surface": None, "grid": {"cells_x": 32, "cells_y": 32}}
+        self.assertIn(self.run_case("--output", "r.h5", **smooth).returncode, (0, 1))
+        before = (self.folder/"r.h5").stat().st_ino
+        with h5py.File(self.folder/"r.h5", "r+"):
+            again = self.run_case("--output", "r.h5", **smooth)
+        self.assertIn(again.returncode, (0, 1), again.stderr)
+        self.assertNotEqual((self.folder/"r.h5").stat().st_ino, before)
 
     def test_ridge_passes_the_centre(self):
         self.write([ridge()])

@@ -44,6 +44,11 @@ def opened(path: str | Path) -> Iterator[h5py.File]:
     except MemoryError:
         raise
     except OSError as error:
+        if "unable to lock" in str(error):
+            raise ResultsError(
+                f"{file}: another program holds it open for writing, or its file system refuses "
+                f"locks ({reason(error)}): close it there, or set HDF5_USE_FILE_LOCKING=FALSE"
+            ) from error
         raise ResultsError(f"{file}: cannot be read as HDF5 ({reason(error)})") from error
     except Exception as error:
         # A damaged file makes its readers stumble into whatever there is.

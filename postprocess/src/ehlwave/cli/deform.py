@@ -123,6 +123,7 @@ def _write(result: Deformed, folder: Path, writer: Writer) -> list[Path]:
 def run_surface(options: argparse.Namespace) -> None:
     """Write a surface for the full simulation."""
     surface, form = read_surface(options.surface, read_options(options)), options.form
+    print("".join(f"{surface.name}: {note}\n" for note in surface.notes), end="")
     start = options.period_start
     if options.period is not None:
         start_m = None if start is None else start * 1e-6
