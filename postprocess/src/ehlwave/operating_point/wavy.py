@@ -10,8 +10,8 @@ from ehlwave.inputs.slip import slip_given
 from ehlwave.laws.answers import Response
 from ehlwave.laws.response_answer import response_of
 from ehlwave.laws.responses import response_table, responses_figure
+from ehlwave.operating_point.smooth import SmoothContact
 from ehlwave.quantities import number
-from ehlwave.smooth_contact import SmoothContact
 
 if TYPE_CHECKING:
     import xarray as xr

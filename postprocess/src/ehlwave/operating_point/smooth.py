@@ -68,7 +68,16 @@ class SmoothContact:
 
     @property
     def heat(self) -> Heat | None:
-        """Thermal data of oil and bodies; None: isothermal."""
+        """Thermal data of oil and bodies; None: isothermal.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...     radius_ratio_d=1)
+        >>> contact.heat is None
+        True
+        """
         return self._heat
 
     @property
@@ -76,6 +85,14 @@ class SmoothContact:
         """Operating conditions, with the central film that :meth:`film` returns.
 
         Where no law holds the film is unknown, None, until :meth:`film` has computed it.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...     radius_ratio_d=1)
+        >>> contact.conditions.m
+        100.0
         """
         if self._given.has_given_film or self._given.metres_per_moes is None:
             return self._given
