@@ -16,7 +16,7 @@ READ = [
     b"&a x = 0.000000000000000000000000000000000001e40, y = 1" + b"0"*300 + b"e-300 /", b"&a x = '\xe9\xc3\xa9' /", b"&a x = 1e1000000 /",
     b"&a x = 1_8, y = 0x1F, z = 1,5 /", b"&a x = 'b' 'c' /", b"&" + b"a"*63 + b" /", b"&a x = 100000*1 /", b"&a x = *1, y = a*b, z = -3*1 /",
     b"&end x = 1 /", b"&a x = '" + b"n"*10**6 + b"' /", b"&a x = " + b"1"*10**6 + b" /", b" "*10**6 + A, b"!" + b"x"*10**6 + b"\n" + A,
-    b"&a x = )]}{[:;@#^~`|\\<>? /", b"&a\nx=1/!end\n", b"&a x = 1 !c\r/\n\r&b y = 2 /", b"&a x = '\x1b[2J\t\x07' /", b"&a x = 1\n/",
+    b"&a x = )]}{[:;@#^~`|\\<>? /", b"&a\nx=1/!end\n", b"&a x = 1 !c\r/\n\r&b y = 2 /", b"&a x = '\x1b[2J\t\x07' /", b"&a x = 1\n/", b"&a x => 1 /",
 ]
 REFUSED = [
     b"", b"\n", MARK, b"! nothing\n", b"x = 1\n", b"&a\n", b"&a x = 1\n", b"&a x = 1 &b y = 2 /", b"&a x = 1 &end", b"$a x = 1 $end",
@@ -27,8 +27,8 @@ REFUSED = [
     b"&a x = 3* /", b"&a x = 3* 1 /", b"&a x = 99999999*1 /", b"&a x = 9999999999*1 /", b"&a x = 100000*1, 2 /", b"&a x = 3*'b'c /",
     b"&a x = 1 / y = 2 /", b"&a x = 1 // &b /", b"&a x = 1 /x", b"&a x = 1 / 'x'", b"&a x = 1 /\n/\n", b"&a x = 1\x00 /", b"&a x = \xa01 /",
     "&a x = \u201cb\u201d /".encode(), b"&a x = 1\xc2\xa0/", b"&a x = 1\x0c/", b"&a \x1bx = 1 /", b" " + MARK + A, MARK + MARK + A, A[1:],
-    A.decode().encode("utf-16"), b"\x89PNG\r\n\x1a\n" + A, b"&a x = " + b"'"*10**6 + b" /", b"&a " + b"k"*10**6 + b" = 1 /", b"& /", b"&",
-    b"&a\n" + b" x = 1\n"*1000 + b"/\n", b"&a x = " + b"1, "*100000 + b"1 /", b"&a x == 1 /", b"&a x => 1 /", b"&a x =\n! 1\n/",
+    A.decode().encode("utf-16"), b"\x89PNG\r\n\x1a\n" + A, b"&a x = " + b"'"*(10**6 + 1) + b" /", b"&a " + b"k"*10**6 + b" = 1 /", b"& /", b"&",
+    b"&a\n" + b" x = 1\n"*1000 + b"/\n", b"&a x = " + b"1, "*100000 + b"1 /", b"&a x == 1 /", b"&a x =\n! 1\n/",
     b"&a x = 'b\r' /", b"&a &b /", b"&a'b' /", b"&a x = 1/ ! c\n2 /", b"#\n" + A, b"\x1a", b"{\"a\": 1}", b"[a]\nx = 1\n", A + b"\x1a",
 ]
 WRITTEN = [(text, True) for text in READ] + [(text, False) for text in REFUSED]

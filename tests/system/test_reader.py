@@ -1,7 +1,6 @@
 """Both readers of input files, in Fortran and in Python, give the same verdict, message and values."""
 
 import os
-import random
 import struct
 import subprocess
 import unittest

@@ -67,11 +67,13 @@ class Namelist:
         except ValueError as error:
             raise self.problem(entry, str(error), first.line) from None
 
-    def plain_values(self) -> dict[str, dict[str, Any]]:
-        """Return the single values of all keys by group, by the form of each value."""
+    def values(
+        self, reading_of: Callable[[str], Callable[[Value], Any]] = lambda key: plain
+    ) -> dict[str, dict[str, Any]]:
+        """Return the single values of all keys by group; without a reading by the form of each."""
         found: dict[str, dict[str, Any]] = {name: {} for name in self.groups}
         for (group, key), entry in self.entries.items():
-            found[group][key] = self.value(entry, plain)
+            found[group][key] = self.value(entry, reading_of(key))
         return found
 
 

@@ -75,12 +75,14 @@ def word(value: Value) -> str:
     return value.text.decode("utf-8", "surrogateescape")
 
 
-def plain(value: Value) -> float | bool | str:
+def plain(value: Value) -> float | int | bool | str:
     """Return a value of a key whose kind is not known, by the form of the value."""
     if value.is_quoted:
         return word(value)
     if value.text.lower() in _TRUTHS:
         return truth(value)
+    if _WHOLE.fullmatch(value.text):
+        return whole(value)
     if _REAL.fullmatch(value.text):
         return real(value)
     raise ValueError(
