@@ -91,8 +91,6 @@ def keys_of_file(path: Path) -> dict[str, Any]:
         if not is_classified(key):
             near = did_you_mean(key, (*USED, *NOT_USED, *OTHER_INLET_KEYS))
             raise SurfaceError(f"{line}: unknown key {key}{near}")
-        if key in found:
-            raise SurfaceError(f"{line}: {key} stands in two groups: remove it from &{group}")
         found[key] = groups[group][key]
     return {key: value for key, value in found.items() if key not in LEFT_OUT}
 

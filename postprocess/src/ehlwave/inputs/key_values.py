@@ -4,8 +4,9 @@ import re
 from collections.abc import Callable
 from typing import Any
 
-from ehlwave.inputs.keys import StudyKeys
-from ehlwave.inputs.namelist import Namelist
+from ehlwave.errors import SurfaceError
+from ehlwave.inputs.keys import GROUP_OF, StudyKeys
+from ehlwave.inputs.namelist import Entry, Namelist
 from ehlwave.inputs.namelist_tokens import shown
 from ehlwave.inputs.namelist_values import Value, plain, real, truth, whole, word
 
@@ -16,9 +17,12 @@ _CHOICE = re.compile(r"[\"'](\w+)[\"']")
 def values_of(file: Namelist) -> dict[str, dict[str, Any]]:
     """Return the values of all keys by group.
 
-    A value has the kind of its key, whole numbers of the key ``load_n`` are numbers. Raises
-    SurfaceError for lists, for values of another kind and for words that are no choice of the key.
+    A value has the kind of its key: ``load_n = 40`` is 40.0. Raises SurfaceError for keys in the
+    group of others, for lists, values of another kind and words that are no choice of the key.
+    Keys and groups that no program knows are left to the caller.
     """
+    for entry in file.entries.values():
+        _check_group(file, entry)
     return file.values(reading_of)
 
 
@@ -33,10 +37,23 @@ def reading_of(key: str) -> Callable[[Value], Any]:
     return _READINGS.get(kind, word)
 
 
+def _check_group(file: Namelist, entry: Entry) -> None:
+    """Refuse a key of another group; those of surface 2 have the names of surface 1, too."""
+    home = GROUP_OF.get(entry.key, entry.group)
+    if entry.group in (home, GROUP_OF.get(f"{entry.key}_2")):
+        return
+    if entry.group in GROUP_OF.values():
+        raise SurfaceError(
+            f"{file.path}:{entry.line}: unknown key '{entry.key}' in &{entry.group}: it belongs to "
+            f"&{home}, move it there"
+        )
+
+
 def _choice(value: Value, choices: list[str]) -> str:
     chosen = word(value).lower()
     if chosen not in choices:
         raise ValueError(
-            f"'{shown(value.text)}' is not one of the choices: write one of {', '.join(choices)}"
+            f"'{shown(value.text)}' is not one of the choices: write one of "
+            + ", ".join(f"'{choice}'" for choice in choices)
         )
     return chosen
