@@ -16,10 +16,10 @@ COMMAND = "import sys; from ehlwave.cli import main; sys.exit(main())"
 
 
 @contextlib.contextmanager
-def running(folder: Path, *options: str) -> Iterator[str]:
-    """Start a server on a free port, give its address, and end it."""
+def running(folder: Path, *options: str, before: str = "") -> Iterator[str]:
+    """Start a server on a free port, give its address, and end it; `before` is run before it."""
     log = folder / "server.log"
-    words = [sys.executable, "-c", COMMAND, "app", "--port", "0", *options]
+    words = [sys.executable, "-c", before + COMMAND, "app", "--port", "0", *options]
     paths = os.pathsep.join(path for path in sys.path if path)
     with log.open("w") as file:
         server = subprocess.Popen(

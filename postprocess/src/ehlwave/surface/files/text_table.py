@@ -104,6 +104,8 @@ def _heading_cells(rows: Rows, columns: int) -> list[str]:
         if units is None and any(map(known_unit, bare)) and _are_units(bare):
             units = bare
             continue
+        if columns > 1 and len(set(cells)) == 1:
+            continue  # a row of comments, which tells no column from another
         if columns == 1 and heading_of(cells[0]).unit is None and heading_of(cells[0]).role is None:
             return [] if units is None else [f"[{units[0]}]"]
         if units is not None:

@@ -46,8 +46,9 @@ _IDEOGRAMS = {
     "other": ("時間", "時刻", "強度", "輝度", "荷重", "温度", "速度"),
     "weak": ("断面", "曲線", "形状", "データ"),
 }
-SHIFT_JIS_WORDS = tuple(
-    word for words in _IDEOGRAMS.values() for word in words if word not in ("行番",)
+SHIFT_JIS_WORDS = (
+    *(word for words in _IDEOGRAMS.values() for word in words),
+    *("間隔", "単位", "測定", "ピッチ"),
 )
 """Words by which a text in Shift-JIS is told from one in Latin-1."""
 
