@@ -170,6 +170,32 @@ def write_new_text(path: Path, text: str) -> None:
         file.write(text)
 
 
+def keep_own_file(path: Path, data: bytes) -> None:
+    """Write, or replace, a file in a folder that is ours alone, such as the cache.
+
+    Other processes see the whole old or the whole new file. Raises OSError.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    descriptor, name = tempfile.mkstemp(".part", ".ehlwave-", path.parent)
+    part = Path(name)
+    try:
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(data)
+        part.replace(path)
+    except BaseException:
+        part.unlink(missing_ok=True)
+        raise
+
+
+def remove_own_file(path: Path) -> bool:
+    """Remove a file of a folder that is ours alone; return whether it was there."""
+    try:
+        path.unlink()
+    except FileNotFoundError:
+        return False
+    return True
+
+
 def is_result(path: Path) -> bool:
     """Return whether a file is one that was written here, as it was written, and may be changed."""
     digest = _listed(path.parent).get(path.name)

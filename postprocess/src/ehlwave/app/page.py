@@ -14,8 +14,8 @@ from ehlwave.app.style import OUTPUT, TEMPLATE
 from ehlwave.app.surface_form import SurfaceForm, task_of
 from ehlwave.app.task import Answer, Task, answered
 from ehlwave.app.widgets import CARD, column
-from ehlwave.app.work import Pools
-from ehlwave.errors import ResultsError, printable
+from ehlwave.app.work import LONGEST_S, Pools
+from ehlwave.errors import ResultsError, SurfaceError, printable
 
 _LOG = logging.getLogger("ehlwave.app")
 TITLE = "ehlwave"
@@ -92,14 +92,20 @@ class Page:
 
     async def _worked(self, task: Task) -> Answer:
         size = 0 if task.upload is None else len(task.upload.data)
-        loop = asyncio.get_running_loop()
-        return await loop.run_in_executor(self._pools.of(size), answered, task)
+        waiting = self._pools.of(size).submit(answered, task)
+        try:
+            return await asyncio.wait_for(asyncio.wrap_future(waiting), LONGEST_S)
+        except (TimeoutError, asyncio.TimeoutError):  # two types before Python 3.11
+            raise SurfaceError(
+                f"no answer within {LONGEST_S:.0f} s: cut the surface, or use the command, ehlwave "
+                "deform"
+            ) from None
 
     def _show(self, answer: Answer) -> None:
         self._answer = answer
         found = answer.found
         self.first.object = f"<p class='answer' role='status'>{shown.headline(answer)}</p>"
-        self.warnings.object = "" if found is None else shown.warnings_of(found)
+        self.warnings.object = shown.warnings_of(answer)
         self.figures.object = shown.pictures(answer)
         self.doubts.object = "" if found is None else shown.doubts(found)
         self.numbers.object = shown.numbers(answer)

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 
 from ehlwave.cli.app import add_app_command
+from ehlwave.cli.arguments.cache import add_cache_command
 from ehlwave.cli.arguments.deform import add_deform_commands
 from ehlwave.cli.arguments.elements import add_element_commands
 from ehlwave.cli.arguments.replenish import add_replenish_command
@@ -73,6 +74,7 @@ def command_parser() -> argparse.ArgumentParser:
     add_replenish_command(commands)
     add_traction_command(commands)
     add_element_commands(commands)
+    add_cache_command(commands)
     add_app_command(commands)
     return parser
 

@@ -6,6 +6,7 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
 from importlib import import_module
 from threading import Timer
 from typing import Literal
@@ -15,6 +16,8 @@ Progress = Callable[[int, int, str], object]
 
 Following = Progress | Literal[False] | None
 """None: a bar in a notebook that has tqdm and ipywidgets, nothing elsewhere; False: nothing."""
+
+_WATCHER: ContextVar[Progress | None] = ContextVar("watcher", default=None)
 
 _COUNT = re.compile(r"^\S+ (?:(?P<before>\D+) )?(?P<done>\d+)/(?P<whole>\d+)(?: (?P<after>\w+))?")
 """After the time of the day: ``time step 3/88`` of a case, ``3/9 cases, ...`` of a sweep."""
@@ -73,8 +76,26 @@ def run_following(
 
 
 @contextmanager
+def watching(progress: Progress) -> Iterator[None]:
+    """Follow all programs that run within a `with` block, unless they have a callback of their own.
+
+    Parameters
+    ----------
+    progress : callable
+        As of :meth:`ehlwave.Case.run`; may raise, which ends the program and the block.
+    """
+    token = _WATCHER.set(progress)
+    try:
+        yield
+    finally:
+        _WATCHER.reset(token)
+
+
+@contextmanager
 def following(progress: Following) -> Iterator[Progress | None]:
     """Give the callback that is asked for: the given one, a bar in a notebook, or None."""
+    if progress is None:
+        progress = _WATCHER.get()
     if progress is not None:
         yield progress or None
         return

@@ -1,0 +1,286 @@
+"""Computed answers: films, responses, input files, and the cache."""
+
+import json
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import ehlwave
+from ehlwave.cli import main
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_read import read_given
+from ehlwave.driver import key_groups
+from ehlwave.errors import ProgramError, RangeError
+from ehlwave.laws.computed_film import computed_film
+from ehlwave.laws.computed_transfer import ComputedTransfer
+from ehlwave.laws.computed_waves import refined
+from ehlwave.programs import cache
+from ehlwave.programs.case_input import GROUPS, case_keys, case_text
+from ehlwave.programs.computing import is_usable, run_case, run_waves
+from ehlwave.programs.progress import watching
+
+STEEL: dict[str, Any] = {
+    "radius_x_m": 0.0125,
+    "reduced_modulus_pa": 2.26e11,
+    "viscosity_pa_s": 0.05,
+}
+BALL: dict[str, Any] = STEEL | {"radius_y_m": 0.0125, "load_n": 60, "mean_speed_m_per_s": 4}
+ROLLERS: dict[str, Any] = {
+    "radius_x_m": 0.01,
+    "reduced_modulus_pa": 2.26e11,
+    "load_n_per_m": 2.8e5,
+    "mean_speed_m_per_s": 8,
+    "viscosity_pa_s": 0.016,
+    "pressure_viscosity_per_pa": 1.6e-8,
+    "roelands_index": 0.6,
+    "eyring_stress_pa": 5e6,
+    "slide_to_roll_ratio": 0.3,
+}
+HEAT = ehlwave.Heat(
+    temperature_k=353.15,
+    viscosity_temperature_per_k=0.034,
+    oil_conductivity_w_per_m_k=0.127,
+    oil_heat_capacity_j_per_kg_k=2080,
+    oil_density_kg_per_m3=840,
+    body=ehlwave.BodyHeat(21),
+)
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Give each test a cache of its own."""
+    monkeypatch.setenv(cache.FOLDER, str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+def inner_race() -> Conditions:
+    """Return the inner race of a 6208."""
+    keys: dict[str, Any] = {
+        "load_parameter_m": 7902,
+        "lubricant_parameter_l": 13.2,
+        "radius_ratio_d": 0.031,
+    }
+    return ehlwave.Contact(**keys, semi_axis_a_m=1e-4, radius_x_m=4.5e-3).conditions
+
+
+def test_groups_are_those_of_the_program() -> None:
+    known = key_groups()
+    for group, keys in GROUPS.items():
+        for key in keys.split():
+            assert known[key] == group
+
+
+@pytest.mark.parametrize(
+    ("keys", "heat"),
+    [
+        (BALL, None),
+        (BALL | {"oil_over_flooded": 0.5}, None),
+        (BALL | {"slip_parameter": 1.3, "carreau_modulus_pa": 7e6, "carreau_exponent": 0.35}, None),
+        (ROLLERS, HEAT),
+    ],
+)
+def test_a_contact_is_written_as_an_input_file(
+    tmp_path: Path, keys: dict[str, Any], heat: ehlwave.Heat | None
+) -> None:
+    contact = ehlwave.Contact(**keys, heat=heat)
+    path = tmp_path / "contact.nml"
+    path.write_text(case_text(case_keys(contact.conditions, heat)))
+    found = read_given([str(path)])
+    assert found.conditions == contact.conditions
+    assert found.heat == heat
+    plan = ehlwave.Case(**case_keys(contact.conditions, heat)).plan()
+    assert plan["load_parameter_m"] == pytest.approx(contact.conditions.m, rel=1e-12)
+
+
+def test_other_laws_of_the_oil_are_written(tmp_path: Path) -> None:
+    path = tmp_path / "barus.nml"
+    path.write_text(
+        "&conditions load_parameter_m = 50, lubricant_parameter_l = 5, radius_ratio_d = 1, "
+        "semi_axis_a_m = 1e-4 /\n&lubricant viscosity_law = 'barus' /\n"
+    )
+    path.write_text(path.read_text().replace(", semi_axis_a_m = 1e-4", ""))
+    found = read_given([str(path), "semi_axis_a_m=1e-4"]).conditions
+    film = computed_film(found)
+    direct = ehlwave.Case(
+        load_parameter_m=50,
+        lubricant_parameter_l=5,
+        radius_ratio_d=1,
+        viscosity_law="barus",
+        cells_x=384,
+        cells_y=384,
+    ).run()
+    assert film.central_moes == pytest.approx(float(direct["central_film_moes"]), rel=0.005)
+
+
+def test_a_film_is_that_of_a_finer_grid() -> None:
+    film = computed_film(inner_race())
+    keys = case_keys(inner_race()) | {"scheme": "fitted", "cells_x": 768, "cells_y": 768}
+    fine = run_case(keys)
+    assert film.central_moes == pytest.approx(fine["central_film_moes"], rel=film.central_error)
+    smallest = fine["minimum_film"] * fine["central_film_moes"] / fine["central_film"]
+    assert film.minimum_moes == pytest.approx(smallest, rel=film.minimum_error)
+    assert film.minimum_error < 0.05
+
+
+def test_films_agree_with_the_atlas() -> None:
+    random = np.random.default_rng(1)
+    for _ in range(12):
+        m, l, d = 10 ** random.uniform(1.5, 2.8), random.uniform(4, 16), random.uniform(0.2, 1)  # noqa: E741
+        contact = ehlwave.Contact(load_parameter_m=m, lubricant_parameter_l=l, radius_ratio_d=d)
+        atlas, film = contact.film(), computed_film(contact.conditions)
+        error = atlas.central_error + film.central_error
+        assert film.central_moes == pytest.approx(atlas.central_moes, rel=error)
+
+
+@pytest.mark.parametrize("angle", [0.0, 90.0])
+def test_responses_agree_with_the_atlas(angle: float) -> None:
+    contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10, radius_ratio_d=1)
+    found = ComputedTransfer(contact.conditions)
+    for wave in (0.15, 0.5, 1.3, 3.0):
+        atlas, computed = contact.response(wave, angle), found.response(wave, angle)
+        assert abs(atlas.film - computed.film) < atlas.error + computed.error
+
+
+def test_interpolated_waves_are_those_of_finer_grids() -> None:
+    c = inner_race()
+    transfer = ComputedTransfer(c)
+    waves = np.array([0.37, 0.9, 2.1])
+    keys = case_keys(c) | {
+        "orientation": "custom",
+        "response": "harmonic",
+        "cells_x": 512,
+        "cells_y": 256,
+        "scheme": "fitted",
+    }
+    columns = [{"wavelength_x_over_a": float(w), "wavelength_y_over_a": 0.0} for w in waves]
+    qx = 1 / (waves * c.semi_axis_a_m)
+    found, error = transfer.ratio(qx, 0 * qx), transfer.error(qx, 0 * qx)
+    for k, row in enumerate(run_waves(keys, columns)):
+        exact = row["harmonic_extrapolated_real"] + 1j * row["harmonic_extrapolated_imaginary"]
+        assert abs(found[k] - exact) < error[k]
+    assert np.all(error < 0.03)
+    np.testing.assert_allclose(transfer.ratio(-qx, 0 * qx), found.conj())
+
+
+def test_starved_contacts_are_computed() -> None:
+    c = replace(inner_race(), oil_over_flooded=0.7)
+    film, flooded = computed_film(c), computed_film(inner_race())
+    assert 0.6 < film.central_moes / flooded.central_moes < 0.75
+    with pytest.raises(RangeError, match="pure rolling"):
+        ComputedTransfer(replace(c, slip_parameter=1.2))
+
+
+def test_warm_contacts_have_marches_that_carry_temperatures() -> None:
+    contact = ehlwave.Contact(**ROLLERS, heat=HEAT)
+    film, law = computed_film(contact.conditions, HEAT), contact.film()
+    assert film.central_m is not None
+    assert law.central_m is not None
+    assert film.central_m == pytest.approx(law.central_m, rel=law.central_error)
+    assert film.friction == pytest.approx(law.friction, rel=law.friction_error)
+    found = ComputedTransfer(contact.conditions, HEAT).response(0.7, 0.0)
+    keys = {key: v for key, v in case_keys(contact.conditions, HEAT).items() if v is not None}
+    march = ehlwave.Case(
+        **keys,
+        orientation="transverse",
+        wavelength_over_a=0.7,
+        amplitude_over_film=0.02,
+        wave_temperatures="carried",
+        cells_x=384,
+    ).run()
+    size, phase = float(march["amplitude_ratio_fit"]), float(march["phase_fit"])
+    assert abs(found.film - size * np.exp(1j * phase)) < found.error + 0.01
+
+
+def test_kept_results_are_not_computed_again(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    keys: dict[str, Any] = {"load_parameter_m": 10, "lubricant_parameter_l": 5, "radius_ratio_d": 1}
+    first = run_case(keys | {"accuracy": 0.05})
+    runs: list[object] = []
+    monkeypatch.setattr("ehlwave.programs.computing.run_following", lambda *a, **_: runs.append(a))
+    assert run_case({"accuracy": 0.05} | keys) == first
+    assert not runs
+    assert main(["cache", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["results"] == 1
+    (entry,) = folder.iterdir()
+    data = entry.read_bytes()
+    for broken in (b"", data[:-1], data.replace(b"converged", b"diverged."), b"\xff" * 9):
+        entry.write_bytes(broken)
+        with pytest.raises(AttributeError):  # computed again
+            run_case(keys | {"accuracy": 0.05})
+    (folder / "notes.txt").write_text("mine")
+    assert main(["cache", "--clear"]) == 0
+    assert [path.name for path in folder.iterdir()] == ["notes.txt"]
+
+
+@pytest.mark.parametrize("variable", [cache.FOLDER, "XDG_CACHE_HOME", "HOME"])
+def test_the_folder_follows_the_environment(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, variable: str
+) -> None:
+    monkeypatch.delenv(cache.FOLDER)
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setenv(variable, str(tmp_path))
+    parts = {cache.FOLDER: (), "XDG_CACHE_HOME": ("ehlwave",), "HOME": (".cache", "ehlwave")}
+    assert cache.cache_folder() == tmp_path.joinpath(*parts[variable])
+
+
+def test_folders_that_cannot_be_written_keep_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv(cache.FOLDER, str(tmp_path / "file" / "cache"))
+    keys: dict[str, Any] = {"load_parameter_m": 10, "lubricant_parameter_l": 5, "radius_ratio_d": 1}
+    assert run_case(keys | {"accuracy": 0.05})["status"] == "converged"
+
+
+def test_without_programs_the_message_has_file_and_command(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("EHLWAVE_PROGRAMS", str(tmp_path))
+    with pytest.raises(ProgramError) as error:
+        computed_film(inner_race())
+    text = str(error.value)
+    assert "ehlwave-case contact.nml --json" in text
+    assert "load_parameter_m = 7902" in text
+
+
+def test_contacts_that_are_not_solved_are_refused() -> None:
+    keys = case_keys(inner_race()) | {"cells_x": 16, "cells_y": 16}
+    with pytest.raises(ProgramError, match=r"unresolved|not converged|stalled|diverged"):
+        run_case(keys)
+
+
+def test_progress_is_called_and_may_stop(folder: Path) -> None:
+    c = ehlwave.Contact(load_parameter_m=20, lubricant_parameter_l=5, radius_ratio_d=1).conditions
+    seen: list[str] = []
+    with watching(lambda done, whole, text: seen.append(f"{done}/{whole} {text}")):
+        assert math.isfinite(computed_film(c).central_moes)
+    assert seen
+
+    def stop(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    before = len(list(folder.iterdir()))
+    with watching(stop), pytest.raises(KeyboardInterrupt):
+        ComputedTransfer(c).response(1.0, 0.0)
+    assert len(list(folder.iterdir())) == before
+
+
+def test_waves_that_are_not_solved_are_kept_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    keys = case_keys(inner_race()) | {
+        "orientation": "custom",
+        "response": "harmonic",
+        "cells_x": 64,
+        "cells_y": 64,
+    }
+    wave = {"wavelength_x_over_a": 0.1, "wavelength_y_over_a": 0.0}
+    (row,) = run_waves(keys, [wave])
+    assert not is_usable(row)
+    monkeypatch.setattr("ehlwave.programs.computing.run_following", None)
+    assert run_waves(keys, [wave])[0]["status"] == row["status"]
+    with pytest.raises(ProgramError, match="of 7 waves were not solved"):
+        refined(lambda waves: [row] * len(waves), (0.1, 4.0), 0.01, most=7)
