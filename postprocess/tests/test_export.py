@@ -17,7 +17,12 @@ from ehlwave.results.cf import with_cf
 
 Capture = pytest.CaptureFixture[str]
 
-LENGTHS = {"semi_axis_a_m": 2e-4, "semi_axis_b_m": 9e-4, "hertz_approach_c_m": 1e-6, "hertz_pressure_pa": 1.5e9}
+LENGTHS = {
+    "semi_axis_a_m": 2e-4,
+    "semi_axis_b_m": 9e-4,
+    "hertz_approach_c_m": 1e-6,
+    "hertz_pressure_pa": 1.5e9,
+}
 
 
 def write_case(path: Path, *, in_metres: bool = True) -> Path:

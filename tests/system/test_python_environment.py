@@ -1,6 +1,7 @@
 """scripts/python-environment changes no environment that it has not made, and fails in a way that `eval` passes on."""
 
 import os
+import re
 import shutil
 import subprocess
 import unittest
@@ -79,6 +80,45 @@ class PythonEnvironment(FolderTest):
         self.assertEqual(outcome.returncode, REFUSED)
         self.assertIn("is not yours", outcome.stderr)
         self.assertEqual((self.venv/"kept").read_text(), "kept")
+
+
+class LockFiles(unittest.TestCase):
+    """scripts/locks hold what postprocess/pyproject.toml wants, with checksums."""
+
+    def test_locks_match_the_project(self):
+        text = (ROOT/"postprocess/pyproject.toml").read_text(encoding="utf-8")
+        extras = dict(re.findall(r"^(\w+) = \[(.*?)\]", text, re.S | re.M))
+        run = extras["dependencies"] + extras["figures"] + extras["instruments"]
+        every = run + "".join(extras[name] for name in ["units", "app", "workflows", "test", "docs"])
+        for name, wanted in {"run.txt": run, "all.txt": every}.items():
+            lock = locked((ROOT/"scripts/locks"/name).read_text(encoding="utf-8"))
+            found = re.findall(r'"([\w.-]+)>=([\d.]+)(?:,<([\d.]+))?"', wanted)
+            self.assertGreater(len(found), 9)
+            for package, low, high in [*found, ("hatchling", "1.26", ""), ("editables", "0", "")]:
+                version, hashes = lock[package.lower()]
+                self.assertGreaterEqual(numbers(version), numbers(low), package)
+                if high:
+                    self.assertLess(numbers(version), numbers(high), package)
+                self.assertGreater(hashes, 0, package)
+            self.assertTrue(all(hashes for _, hashes in lock.values()))
+
+    def test_locks_agree(self):
+        run, every = (locked((ROOT/"scripts/locks"/name).read_text(encoding="utf-8")) for name in ["run.txt", "all.txt"])
+        self.assertEqual({package: every[package][0] for package in run}, {package: version for package, (version, _) in run.items()})
+
+    def test_a_version_out_of_bounds_would_be_seen(self):
+        self.assertLess(numbers("1.9.4"), numbers("1.26"))
+        self.assertEqual(locked("a==1.0 \\\n    --hash=sha256:00 \\\n    --hash=sha256:11\nb==2\n"), {"a": ("1.0", 2), "b": ("2", 0)})
+
+
+def locked(text):
+    """Versions and counts of checksums by package."""
+    found = re.findall(r"^([\w.-]+)==([^\s\\]+)((?: \\\n +--hash=sha256:\w+)*)", text, re.M)
+    return {package.lower(): (version, hashes.count("sha256:")) for package, version, hashes in found}
+
+
+def numbers(version):
+    return [int(part) for part in re.findall(r"\d+", version)[:3]]
 
 
 if __name__ == "__main__":

@@ -73,8 +73,8 @@ def command_parser() -> argparse.ArgumentParser:
     add_stress_command(commands)
     add_replenish_command(commands)
     add_traction_command(commands)
-    add_element_commands(commands)
     add_cache_command(commands)
+    add_element_commands(commands)
     add_app_command(commands)
     return parser
 
