@@ -4,6 +4,7 @@ program ehlwave_sweep
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_table, only: read_output_name, read_sweep
    use ehlwave_errors, only: error_t
+   use ehlwave_mpi_start, only: watch_start
    use ehlwave_output_path, only: check_output_name
    use ehlwave_petsc_library, only: finish_petsc
    use ehlwave_process, only: catch_signals, end_program, ignore_write_signals
@@ -23,7 +24,7 @@ program ehlwave_sweep
    use mpi_f08, only: mpi_bcast, mpi_comm_rank, mpi_comm_world, mpi_finalize, mpi_init, mpi_logical
    implicit none (type, external)
 
-   character(len=*), parameter :: usage(34) = [character(len=120) :: &
+   character(len=*), parameter :: usage(35) = [character(len=120) :: &
       'Usage: mpirun -n RANKS ehlwave-sweep SWEEP.nml [--plan] [--output FILE.h5] [--time-limit TIME]', &
       '                                     [--retry failed|version|files] [--overwrite]', &
       '       ehlwave-sweep --status FILE.h5|SWEEP.nml', &
@@ -52,7 +53,8 @@ program ehlwave_sweep
       'sweep again when a rank died.', &
       '', &
       'Exit status: 0 all cases converged (or are flagged unresolved); 1 all cases ran, some did not converge;', &
-      '             2 bad input or usage; 3 results or output could not be written; 4 too little memory;', &
+      '             2 bad input or usage; 3 results or output could not be written; 4 too little memory,', &
+      '             or MPI could not be started (too few open files: ulimit -n);', &
       '             85 stopped before the end: the same command goes on (--status: cases are left)', &
       '', &
       'A minimal sweep:   &sweep load_parameter_m = 100, 200, lubricant_parameter_l = 12.05,', &
@@ -75,7 +77,9 @@ program ehlwave_sweep
       if (.not. (arguments%has('--plan') .or. arguments%has('--status'))) call catch_signals()
    end if
    if (thread_count() > 1) call wait_briefly()   ! before MPI
+   call watch_start(1)
    call mpi_init()
+   call watch_start(0)
    call mpi_comm_rank(mpi_comm_world, rank)
    if (allocated(error)) call refuse(error%message//'; see ehlwave-sweep --help')
    if (arguments%has('--status')) call show_status()

@@ -14,16 +14,17 @@ from numpy.typing import NDArray
 from ehlwave.contact import Conditions, conditions_from_keys
 from ehlwave.contact.heat_data import BodyHeat, Heat
 from ehlwave.laws.heat_laws import (
-    FAST,
     FRICTION_COEFFICIENTS,
-    SLIP_BAR,
+    WEDGE_POWER,
     friction_factor,
     sliding_film,
+    wedge,
 )
 from ehlwave.laws.inlet_warming import inlet_factor, thermal_loading, wall_parameter
 from ehlwave.laws.sheared_film import Sheared, shear_isothermal, shear_warm
 from ehlwave.results.figures import write_figure
 from ehlwave.writing import Writer
+from studies import heat_films
 from studies.folds import held_out
 from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
 
@@ -51,6 +52,12 @@ EVEN_RANGES = {
 ROLLING_SHARE = 0.3
 UNLIKE_SHARE = 0.3
 """Of contacts whose second body conducts otherwise."""
+WIDE_RADII, WIDE_UNLIKE_SHARE = (4e-3, 1e-1), 0.5
+"""Of the contacts of this study."""
+LINE_CELLS = 12
+"""Cells of a line contact over those of a point contact."""
+FITTED_LOADING = 4.0
+"""Largest L_t of the contacts that the laws are fitted to."""
 LOADS, OILS = (5.0, 1500.0), (2.0, 20.0)
 """M and L of the contacts that are taken."""
 DENSITY, EXPANSION = 870.0, 7e-4
@@ -58,21 +65,23 @@ FOLDS = 20
 """Of contacts, each of which is predicted by a fit to the others."""
 ROBUST = {"loss": "soft_l1", "f_scale": 0.03}
 """How laws are fitted."""
-LARGEST_ERROR = 0.05
+LARGEST_ERROR = 0.03
 """Of films and friction of computed contacts; coarser ones are left out."""
 THICKEST = 0.4
 """Film by the formula over the Hertz approach; thicker ones are rather rigid."""
 
 
-def contact(rng: np.random.Generator, is_line: bool) -> Row:
-    """Return one contact drawn from the ranges; of a point D besides."""
+def contact(rng: np.random.Generator, is_line: bool, is_wide: bool = False) -> Row:
+    """Return one contact drawn from the ranges, or the wide ones; of a point D besides."""
+    radii = {"radius_x_m": WIDE_RADII} if is_wide else {}
+    unlike = WIDE_UNLIKE_SHARE if is_wide else UNLIKE_SHARE
     row: Row = {
-        name: low * (high / low) ** rng.random() for name, (low, high) in RANGES.items()
+        name: low * (high / low) ** rng.random() for name, (low, high) in (RANGES | radii).items()
     } | {name: low + (high - low) * rng.random() for name, (low, high) in EVEN_RANGES.items()}
     if rng.random() < ROLLING_SHARE:
         row["slide_to_roll_ratio"] = 0.0
     other = row["body_conductivity_w_per_m_k"]
-    if rng.random() < UNLIKE_SHARE:
+    if rng.random() < unlike:
         low, high = RANGES["body_conductivity_w_per_m_k"]
         other = low * (high / low) ** rng.random()
     row["body2_conductivity_w_per_m_k"] = other
@@ -99,7 +108,7 @@ def contacts(count: int, is_line: bool) -> list[Row]:
     rng = np.random.default_rng(38 + is_line)
     rows: list[Row] = []
     while len(rows) < count:
-        row = contact(rng, is_line)
+        row = contact(rng, is_line, is_wide=True)
         c = conditions_from_keys(dimensional_keys(row))
         film = (c.central_film_m or math.nan) / (c.hertz_approach_c_m or math.nan)
         if LOADS[0] <= c.m <= LOADS[1] and OILS[0] <= c.l <= OILS[1] and film < THICKEST:
@@ -111,25 +120,31 @@ def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
     """Write the sweeps of line and of elliptical contacts."""
     oil = {"flow_law": "eyring"}
     heat = {"oil_density_kg_per_m3": DENSITY, "oil_expansion_per_k": EXPANSION}
-    grid = {"x_min": -4.5, "x_max": 2.0, "edges": "flooded", "cells_x": 4 * cells}
-    groups = {"lubricant": oil, "heat": heat, "grid": grid}
-    write_sweep(folder, "lines", contacts(lines, is_line=True), groups)
+    grid = {"x_min": -4.5, "x_max": 2.0, "edges": "flooded", "cells_x": LINE_CELLS * cells}
+    grids = {"lines": grid}
     grid = {"x_min": -3.5, "x_max": 1.5, "y_max": 2.5, "edges": "flooded"}
-    groups["grid"] = grid | {"cells_x": cells, "cells_y": cells}
-    write_sweep(folder, "points", contacts(points, is_line=False), groups)
+    grids["points"] = grid | {"cells_x": cells, "cells_y": cells}
+    for name, count in (("lines", lines), ("points", points)):
+        rows = contacts(count, is_line=name == "lines")
+        write_sweep(folder, name, rows, {"lubricant": oil, "heat": heat, "grid": grids[name]})
+        cold = [dimensional_keys(row) for row in rows]
+        write_sweep(folder, f"{name}_cold", cold, {"lubricant": oil, "grid": grids[name]})
 
 
 def usable(folder: Path) -> pd.DataFrame:
     """Return the contacts that converged on a grid that resolves them, with what laws take."""
     rows = []
     for name in ("lines", "points"):
-        for case in read_sweep(folder, name):
+        pairs = zip(read_sweep(folder, name), read_sweep(folder, f"{name}_cold"), strict=True)
+        for case, cold in pairs:
             if case["status"] != "converged" or not case["central_film_error"] < LARGEST_ERROR:
                 continue
             ratio = 2 * (case["slip_parameter"] - 1)
             if ratio and not case["friction_error"] < LARGEST_ERROR:
-                continue
-            rows.append(_compared(case, ratio))
+                case = {**case, "friction_coefficient": math.nan}
+            thinner = case["minimum_film"] / cold["minimum_film"]
+            is_known = case["minimum_film_error"] < LARGEST_ERROR and cold["status"] == "converged"
+            rows.append(_compared(case, ratio) | {"smallest": thinner if is_known else math.nan})
     return pd.DataFrame(rows)
 
 
@@ -153,6 +168,7 @@ def _compared(case: Row, ratio: float) -> Row:
     beta, k = heat.viscosity_temperature_per_k, heat.oil_conductivity_w_per_m_k
     walls = (case["central_rise_wall_1_k"] + case["central_rise_wall_2_k"]) / 2
     mean = Sheared(0.0, case["central_rise_mid_film_k"], walls).rise_mean_k
+    thicker = wedge(heat, ratio, walls) ** WEDGE_POWER if ratio else 1.0
     row: Row = {
         "is_line": c.is_line,
         "ratio": ratio,
@@ -161,7 +177,8 @@ def _compared(case: Row, ratio: float) -> Row:
         "film_over_approach": film_m / (c.hertz_approach_c_m or math.nan),
         "radius_ratio_d": c.d,
         "film": warm_m / film_m,
-        "inlet": warm_m / film_m * (1 - EXPANSION * mean),
+        "warmth": beta * walls if ratio else 0.0,
+        "inlet": warm_m / film_m * (1 - EXPANSION * mean) / thicker,
         "hertz_over_modulus": c.hertz_pa / case["reduced_modulus_pa"],
         "rise_mid_film_k": case["central_rise_mid_film_k"],
         "friction": case["friction_coefficient"],
@@ -185,31 +202,23 @@ def _sheared(c: Conditions, heat: Heat, tau0: float, film_m: float, warm_m: floa
 
 
 def report(folder: Path) -> None:
-    """Fit the law of friction and judge the law of the inlet.
+    """Fit the laws of friction and of smallest films; judge the law of the inlet.
 
-    Writes laws.csv, contacts.csv and a figure; prints a line for each law.
+    Writes laws.csv, films.csv, contacts.csv and a figure; prints a line for each law.
     """
     table = usable(folder)
     write_rows(folder / "contacts.csv", table.to_dict("records"), digits=5)
     fold = np.random.default_rng(1).permutation(len(table)) % FOLDS
-    s = table["ratio"].to_numpy()
-    inlet = inlet_factor(
-        *(table[name] for name in ("loading", "ratio", "wall", "film_over_approach")),
-        table["radius_ratio_d"],
-    )
+    names = ("loading", "ratio", "wall", "film_over_approach", "radius_ratio_d")
+    inlet = inlet_factor(*(table[name].to_numpy() for name in names))
     rows = [_row("film, Gupta", None, gupta(table) - table["film"].to_numpy())]
-    errors = inlet / table["inlet"].to_numpy() - 1
-    rows.append(_row("film", None, errors))
-    rolls = inlet_factor(
-        table["loading"],
-        0.0,
-        *(table[name] for name in ("wall", "film_over_approach")),
-        table["radius_ratio_d"],
-    )
-    errors = np.maximum(np.abs(errors) - SLIP_BAR * (rolls / inlet - 1), 0)  # has a part of its own
-    for name, part in (("rolling", s == 0), ("sliding", (s > 0) & (s <= FAST)), ("fast", s > FAST)):
-        rows.append(_row(f"film, {name}", None, errors[part]))
-    slides = table[table["ratio"] > 0]
+    of_law = (table["loading"] <= FITTED_LOADING).to_numpy()
+    films, found = heat_films.fit(table[of_law].assign(law=inlet[of_law]), fold[of_law])
+    heat_films.write(found)
+    write_rows(folder / "films.csv", films, digits=5)
+    for film in films:
+        print(", ".join(f"{k} {v}" for k, v in film.items()))
+    slides = table[(table["ratio"] > 0) & table["friction"].notna() & of_law]
     both = pd.concat([_part(slides, "cold", "isothermal"), _part(slides, "warm", "friction")])
 
     def friction(p: Floats) -> Floats:
@@ -217,7 +226,7 @@ def report(folder: Path) -> None:
         return np.log(friction_factor(*columns, p))
 
     y = np.log(both["computed"] / both["modelled"]).to_numpy()
-    twice = np.tile(fold[s > 0], 2)
+    twice = np.tile(fold[slides.index.to_numpy()], 2)
     best, errors = held_out(friction, y, FRICTION_COEFFICIENTS, twice, **ROBUST)
     is_warm = np.arange(len(y)) >= len(slides)
     rows.append(_row("friction, even film", None, -y[is_warm]))
@@ -294,8 +303,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser("a step of scripts/study heat", description=__doc__)
     parser.add_argument("step", choices=("cases", "report"))
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--lines", type=int, default=400)
-    parser.add_argument("--points", type=int, default=160)
+    parser.add_argument("--lines", type=int, default=1200)
+    parser.add_argument("--points", type=int, default=600)
     parser.add_argument("--cells", type=int, default=128)
     return run_command(parser, _run, arguments)
 

@@ -1,6 +1,8 @@
 """The server of the page: what it gives to whom asks without a browser."""
 
+import contextlib
 import http.client
+import os
 import socket
 from collections.abc import Iterator
 from pathlib import Path
@@ -114,6 +116,46 @@ def test_a_socket_from_another_site_is_refused(address: str) -> None:
         "Sec_WebSocket_Protocol": "bokeh, none",
     }
     assert asked(address, "/ws", Origin="http://elsewhere.example:5006", **websocket)[0] == 403
+
+
+@pytest.mark.parametrize("host", ["elsewhere.example", "127.0.0.1.elsewhere.example", "", "::"])
+def test_other_names_are_refused(address: str, host: str) -> None:
+    """A page elsewhere whose name is turned to this computer must not reach the server."""
+    port = address.rpartition(":")[2]
+    assert asked(address, "/", Host=f"{host}:{port}")[0] in (400, 403)
+    assert asked(address, "/", Origin=f"http://{host}:{port}")[0] == 403
+    for name in ("localhost", "LOCALHOST"):
+        assert asked(address, "/", Host=f"{name}:{port}")[0] == 200
+
+
+def test_sessions_begin_with_sockets_and_are_limited(tmp_path: Path) -> None:
+    pytest.importorskip("panel.models.file_dropper")
+    from bokeh.client import pull_session
+
+    from ehlwave.app.server import MOST_SESSIONS
+
+    with running(tmp_path) as own:
+        pages = {asked(own, "/")[1] for _ in range(2)}
+        before = megabytes_of_servers()
+        pages |= {asked(own, "/")[1] for _ in range(100)}
+        assert len(pages) == 102  # each has its own token
+        assert megabytes_of_servers() - before < 20
+        sessions = [pull_session(url=own) for _ in range(MOST_SESSIONS - 1)]
+        with pytest.raises(OSError, match="503"):
+            sessions += [pull_session(url=own) for _ in range(3)]
+        for session in sessions:
+            session.close()
+
+
+def megabytes_of_servers() -> float:
+    """Return the memory of the servers that this process started; 0 where it is not to be known."""
+    total = 0
+    for path in Path("/proc").glob("[0-9]*/status"):
+        with contextlib.suppress(OSError):
+            text = path.read_text()
+            if f"PPid:\t{os.getpid()}\n" in text and "VmRSS:" in text:
+                total += int(text.split("VmRSS:")[1].split()[0])
+    return total / 1e3
 
 
 def test_other_computers_cannot_reach_it(address: str) -> None:

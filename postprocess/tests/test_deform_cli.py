@@ -83,7 +83,7 @@ def test_across_rolling_a_trace_is_longitudinal(tmp_path: Path, capsys: Capture)
         (["--refit", "absent.csv"], "absent.csv: no such file"),
         (["--table", "absent.csv"], "absent.csv: no such file"),
         (["--height-unit", "parsec"], "unknown unit of length 'parsec'"),
-        (["--height-unit", "mm"], "root mean square slope"),
+        (["--height-unit", "mm"], "--height-unit mm contradicts the file, whose unit is nm"),
     ],
 )
 def test_errors_are_one_line(

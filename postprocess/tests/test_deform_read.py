@@ -2,6 +2,7 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+import pandas as pd
 import pytest
 from contact import experiment
 
@@ -74,6 +75,18 @@ def test_separators_single_columns_and_decimal_commas(tmp_path: Path) -> None:
     text = rows(2 * np.arange(40), HEIGHTS, separator=";").replace(".", ",")
     assert_trace(read_surface(write(tmp_path / "t.csv", text), options))
     assert_trace(read_surface(write(tmp_path / "z.csv", rows(HEIGHTS)), UM))
+
+
+def test_one_column_of_heights_needs_a_direction(tmp_path: Path) -> None:
+    column = HEIGHTS[:, None]
+    np.save(tmp_path / "column.npy", column)
+    units = ReadOptions("um", "um", 2.0)
+    for source in (column, pd.DataFrame({"z": HEIGHTS}), tmp_path / "column.npy"):
+        with pytest.raises(SurfaceError, match=r"one column of unknown direction.*rolling_axis="):
+            read_surface(source, units)  # type: ignore[arg-type]
+    assert read_surface(HEIGHTS, units).trace_axis == "x"
+    assert read_surface(HEIGHTS, ReadOptions("um", "um", 2.0, rolling_axis="y")).trace_axis == "y"
+    assert read_surface(column, ReadOptions("um", "um", 1.0, 2.0)).trace_axis == "y"
 
 
 def test_rolling_axis_says_what_a_row_is(tmp_path: Path) -> None:

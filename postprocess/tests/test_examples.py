@@ -80,7 +80,7 @@ def test_what_the_engineer_is_told_agrees_with_the_programs() -> None:
         complex(found["harmonic_extrapolated_real"], found["harmonic_extrapolated_imaginary"])
     )
     assert kept == pytest.approx(float(wave[1]), abs=float(wave[2]) + 0.01)
-    central = float(found["central_film"] * found["length_c_m"]) * 1e6
+    central = float(found["central_film"] * found["hertz_approach_c_m"]) * 1e6
     error = float(film[2]) / 100 + float(found["central_film_error"])
     assert central == pytest.approx(float(film[1]), rel=error)
     assert f"{ratio[1]}" in said.split("deformed one")[0]

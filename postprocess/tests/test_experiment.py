@@ -93,7 +93,11 @@ def write_fields(
     line = level + height * np.cos(2 * np.pi * x * A_UM / 60 + 0.7)
     film = np.broadcast_to(line, (y.size, x.size)) + 0.01 * y[:, None] ** 2
     fields = {"film": (("y", "x"), film / C_UM), "pressure": (("y", "x"), np.ones(film.shape))}
-    lengths = {"length_a_m": A_UM * 1e-6, "length_c_m": C_UM * 1e-6, "hertz_pressure_pa": 0.549e9}
+    lengths = {
+        "semi_axis_a_m": A_UM * 1e-6,
+        "hertz_approach_c_m": C_UM * 1e-6,
+        "hertz_pressure_pa": 0.549e9,
+    }
     contact = xr.Dataset({**fields, **lengths}, {"x": x, "y": y}, {"format": "ehlwave-case"})
     if surface != SMOOTH:
         time = np.arange(0, 4.5, 4 / run.cells_x)

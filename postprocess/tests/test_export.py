@@ -12,11 +12,17 @@ import xarray as xr
 from synthetic import make_columns, write_results
 
 from ehlwave.cli import main
+from ehlwave.hdf5 import read_dataset
 from ehlwave.results.cf import with_cf
 
 Capture = pytest.CaptureFixture[str]
 
-LENGTHS = {"length_a_m": 2e-4, "length_b_m": 9e-4, "length_c_m": 1e-6, "hertz_pressure_pa": 1.5e9}
+LENGTHS = {
+    "semi_axis_a_m": 2e-4,
+    "semi_axis_b_m": 9e-4,
+    "hertz_approach_c_m": 1e-6,
+    "hertz_pressure_pa": 1.5e9,
+}
 
 
 def write_case(path: Path, *, in_metres: bool = True) -> Path:
@@ -57,6 +63,17 @@ def test_tables_are_the_same_in_every_format(results_file: Path, tmp_path: Path)
     pd.testing.assert_frame_equal(
         pd.read_parquet(parquet)[["case", "v"]], table[["case", "v"]], check_dtype=False
     )
+
+
+def test_lengths_of_earlier_versions_have_their_new_names(tmp_path: Path) -> None:
+    path = tmp_path / "mixed.h5"
+    own = xr.Dataset({"semi_axis_a_m": ("case", [np.nan, 2e-4], {"units": "m"})})
+    old = {"length_a_m": ("case", [1e-4, np.nan]), "length_c_m": ("case", [1e-6, 2e-6])}
+    own.assign(old).to_netcdf(path, engine="h5netcdf")
+    found = read_dataset(path)
+    assert set(found.data_vars) == {"semi_axis_a_m", "hertz_approach_c_m"}
+    np.testing.assert_array_equal(found["semi_axis_a_m"], [1e-4, 2e-4])
+    assert found["semi_axis_a_m"].attrs["units"] == "m"
 
 
 @pytest.mark.parametrize("in_metres", [True, False])

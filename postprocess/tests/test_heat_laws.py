@@ -15,12 +15,12 @@ from ehlwave.contact.oil_heat import usual_heat
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.laws.heat_laws import (
     COLD_BAR,
-    FILM_BARS,
     FRICTION_BAR,
     FRICTION_COEFFICIENTS,
     warmed,
 )
 from ehlwave.laws.sheared_film import Sliding, shear_isothermal, shear_warm
+from ehlwave.laws.warm_films import fitted
 
 ROOT = Path(__file__).resolve().parents[2]
 REFERENCE = ROOT / "tests/verification/reference/heat_line.csv"
@@ -53,9 +53,9 @@ def test_the_independent_solver() -> None:
         without = cold[row["mean_speed_m_per_s"], row["slide_to_roll_ratio"]]
         found = warmed(c, heat, without["central_film_m"], row["eyring_stress_pa"])
         film = row["central_film_m"] / without["central_film_m"]
-        assert found.film_factor == pytest.approx(film, rel=0.01)
+        assert found.film_factor == pytest.approx(film, rel=min(found.film_error, 0.03))
         smallest = row["minimum_film_m"] / without["minimum_film_m"]
-        assert found.minimum_factor == pytest.approx(smallest, rel=0.02)
+        assert found.minimum_factor == pytest.approx(smallest, rel=min(found.minimum_error, 0.04))
         if row["slide_to_roll_ratio"] and row["mean_speed_m_per_s"] == 1:
             assert found.friction == pytest.approx(row["friction_coefficient"], rel=FRICTION_BAR)
             friction = without["friction_coefficient"]
@@ -69,10 +69,37 @@ def test_coefficients_and_bars_are_those_of_the_record() -> None:
         laws = {row["law"]: row for row in csv.DictReader(file)}
     used = FRICTION_COEFFICIENTS
     assert used == tuple(float(laws["friction"][f"c{i + 1}"]) for i in range(len(used)))
-    bars = {f"film, {name}": bar for name, bar in FILM_BARS.items()}
-    bars |= {"friction": FRICTION_BAR, "friction without heat": COLD_BAR}
-    for name, bar in bars.items():
-        assert 0.85 * bar < float(laws[name]["within_95"]) < bar, name
+    assert 0.85 * FRICTION_BAR < float(laws["friction"]["within_95"]) < FRICTION_BAR
+    # The independent solver asks for more than the record.
+    assert float(laws["friction without heat"]["within_95"]) < COLD_BAR
+
+
+@pytest.mark.parametrize("name", ["central", "smallest"])
+def test_errors_of_warm_films_hold_in_the_record(name: str) -> None:
+    with (ROOT / "postprocess/record/heat/films.csv").open() as file:
+        rows = {row["law"]: row for row in csv.DictReader(file)}
+    row = rows[f"film, {name}"]
+    assert fitted()[f"{name}_error"] == pytest.approx([float(row[f"e{i}"]) for i in range(3)])
+    assert float(row["within"]) >= 0.95
+    assert float(row["beyond_1.5"]) <= 0.01
+
+
+def test_a_warm_rolling_line_of_unlike_bodies() -> None:
+    """Computed on 2048 cells: 0.6418 and 0.5765 um, 0.26 % and 0.4 % by the grid."""
+    bodies = {"body": ehlwave.BodyHeat(46), "body2": ehlwave.BodyHeat(1.5)}
+    heat = ehlwave.Heat(313.15, 0.042, 0.14, 2000, 870, **bodies)
+    film = ehlwave.Contact(
+        radius_x_m=0.0367,
+        reduced_modulus_pa=1.24e11,
+        load_n_per_m=4.76e6,
+        mean_speed_m_per_s=13.5,
+        viscosity_pa_s=0.0103,
+        pressure_viscosity_per_pa=2e-8,
+        roelands_index=0.6,
+        heat=heat,
+    ).film()
+    assert film.central_m == pytest.approx(0.6418e-6, rel=film.central_error)
+    assert film.minimum_m == pytest.approx(0.5765e-6, rel=film.minimum_error)
 
 
 @pytest.mark.parametrize(("g", "rise", "more"), [(1, 0.140539, 1.098705), (3, 0.640147, 1.546402)])

@@ -34,7 +34,7 @@ def case_file(path: Path) -> Path:
     film = 1 + x[None, :] ** 2 + np.abs(x)[:, None]
     fields = {"film": (("y", "x"), film), "pressure": (("y", "x"), film)}
     numbers = {"central_film": 0.5, "minimum_film": 0.4, "load_parameter_m": 100.0}
-    numbers |= {"lubricant_parameter_l": 10.0, "length_a_m": 1e-4, "length_c_m": 1e-6}
+    numbers |= {"lubricant_parameter_l": 10.0, "semi_axis_a_m": 1e-4, "hertz_approach_c_m": 1e-6}
     numbers |= {"hertz_pressure_pa": 5e8, "slip_parameter": 1.0, "domain_x_min": -2.5}
     time = {"film_at_centre": (("time",), 1 + 0.1 * np.cos(np.arange(12.0)))}
     coordinates = {"x": x, "y": x, "time": np.arange(12.0)}

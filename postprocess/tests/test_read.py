@@ -1,4 +1,6 @@
 import os
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -117,6 +119,20 @@ def _write_without_scale(path: Path) -> None:
     with h5py.File(path, "a") as file:
         del file["case"]
         file["case"] = np.arange(60)
+
+
+def test_a_file_that_another_program_writes_names_the_lock(results_file: Path) -> None:
+    hold = f"import h5py, sys; f = h5py.File({str(results_file)!r}, 'r+'); print(); input()"
+    command = [sys.executable, "-c", hold]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as holder:
+        assert holder.stdout is not None
+        holder.stdout.readline()
+        with pytest.raises(
+            ResultsError, match=r"another program holds it .* HDF5_USE_FILE_LOCKING"
+        ):
+            read_results([results_file])
+        holder.communicate(b"\n")
+    assert read_results([results_file]).sizes["case"] > 0
 
 
 def _write_truncated(path: Path) -> None:

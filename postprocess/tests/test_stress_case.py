@@ -36,8 +36,8 @@ def case_file(folder: Path, times: int = 0, half: bool = True, cells: int = 128)
         "mean_shear_stress_pa": (("y", "x"), 0.05 * PH * pressure),
         "central_film": ((), 0.1),
         "hertz_pressure_pa": ((), PH),
-        "length_a_m": ((), A),
-        "length_b_m": ((), A),
+        "semi_axis_a_m": ((), A),
+        "semi_axis_b_m": ((), A),
     }
     coordinates = {"x": x, "y": y}
     if times:
@@ -106,7 +106,9 @@ def test_a_wave_stands_still_for_the_body_that_carries_it(tmp_path: Path) -> Non
 def test_a_case_without_lengths_counts_in_semi_axes(tmp_path: Path, capsys: Capture) -> None:
     with xr.open_dataset(case_file(tmp_path), engine="h5netcdf") as opened:
         case = opened.load()
-    bare = case.drop_vars(["length_a_m", "length_b_m", "hertz_pressure_pa", "mean_shear_stress_pa"])
+    bare = case.drop_vars(
+        ["semi_axis_a_m", "semi_axis_b_m", "hertz_pressure_pa", "mean_shear_stress_pa"]
+    )
     bare["alphabar"], bare["kappa"] = 22.0, 1.0
     with pytest.raises(StressError, match="no pressure in Pa"):
         stress_of_case(bare, 0.5)
@@ -126,7 +128,7 @@ def test_a_solved_smooth_contact_stands_for_hertz(tmp_path: Path) -> None:
     path = case_file(tmp_path)
     with xr.open_dataset(path, engine="h5netcdf") as opened:
         case = opened.load()
-    case["length_a_m"], case["length_b_m"], case["hertz_pressure_pa"] = a, a, hertz
+    case["semi_axis_a_m"], case["semi_axis_b_m"], case["hertz_pressure_pa"] = a, a, hertz
     case = case.drop_vars("mean_shear_stress_pa")
     case.to_netcdf(tmp_path / "smooth.h5", engine="h5netcdf")
     options = {"form": "none", "ends": "none", "depths_m": np.array([0.1, 0.3, 0.5]) * a}
@@ -136,7 +138,9 @@ def test_a_solved_smooth_contact_stands_for_hertz(tmp_path: Path) -> None:
     assert solved.dang_van != closed.dang_van
     assert solved.ripple_shear == closed.ripple_shear
     with pytest.raises(StressError, match="no lengths"):
-        contact().stress(rough(), smooth=case.drop_vars(["length_a_m", "length_b_m"]), **options)
+        contact().stress(
+            rough(), smooth=case.drop_vars(["semi_axis_a_m", "semi_axis_b_m"]), **options
+        )
 
 
 def test_a_file_without_fields_over_time_is_refused(tmp_path: Path) -> None:

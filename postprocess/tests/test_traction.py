@@ -107,6 +107,21 @@ def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     assert "Largest friction" in said
 
 
+def test_friction_that_is_not_known_is_an_error_in_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    case = tmp_path / "newtonian.nml"
+    case.write_text(
+        "&conditions radius_x_m=0.0127, radius_y_m=0.0127, reduced_modulus_pa=2.26e11, load_n=40, "
+        "mean_speed_m_per_s=4, viscosity_pa_s=0.05 /\n"
+    )
+    assert main(["traction", str(case), "--ratios", "0.01", "0.1"]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("ehlwave: error: friction is not known at any ratio (")
+    assert "give more cells, or a flow law" in error
+    assert error.count("\n") == 1
+
+
 def test_regimes_are_on_the_figure() -> None:
     table = pd.DataFrame(
         {"slide_to_roll_ratio": [0.01, 0.1, 1.0], "isothermal": [0.01, 0.05, 0.06]}

@@ -8,7 +8,7 @@ module ehlwave_case_plan
    use ehlwave_domain_choice, only: chosen_scale, expected_domain_errors, scale_domain
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid
-   use ehlwave_inlet_plan, only: expected_oil, plan_inlet
+   use ehlwave_inlet_plan, only: expected_oil, judge_lanes, plan_inlet
    use ehlwave_kinds, only: dp
    use ehlwave_layer_change, only: layer_changes, measured_share
    use ehlwave_march_plan, only: plan_march
@@ -105,6 +105,7 @@ contains
       if (case%fields_every > 0) plan%field_sets = plan%steps/case%fields_every + 1
       plan%resolution = judge_resolution(plan%conditions, plan%surfaces, plan%x_min, plan%y_max, plan%hx, plan%hy, &
          plan%dt, meniscus, plan%is_fitted)
+      if (.not. plan%conditions%is_line()) call judge_lanes(plan%inlet, plan%y_max, plan%hy, plan%resolution)
       call expect(case, plan)
       if (case%accuracy > 0) call check_accuracy(case, plan, error)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps + merge(8, 0, plan%responds))

@@ -8,6 +8,7 @@ module ehlwave_domain_choice
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_grid, only: strip_width
    use ehlwave_kinds, only: dp
+   use ehlwave_resolution, only: has_room
    use ehlwave_rheology, only: rheology_t
    implicit none (type, external)
    private
@@ -31,8 +32,8 @@ module ehlwave_domain_choice
 
 contains
 
-   !> How many times as large as that of a case a domain has to be for its accuracy: a power of 2. It is more than 1
-   !> with flooded edges and a domain of the usual size only.
+   !> How many times as large as that of a case a domain has to be for its accuracy, and for the room that a thick film
+   !> needs: a power of 2. It is more than 1 with flooded edges and a domain of the usual size only.
    pure real(dp) function chosen_scale(case, conditions, rheology) result(scale)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
@@ -42,7 +43,8 @@ contains
       scale = 1
       do while (may_enlarge(case, scale))
          errors = expected_domain_errors(case, conditions, rheology, scale)
-         if (errors(2) <= share_of_accuracy*case%accuracy) exit
+         if (errors(2) <= share_of_accuracy*case%accuracy .and. &
+             has_room(conditions, scale*case%x_min, scale*case%y_max)) exit
          scale = 2*scale
       end do
    end function chosen_scale

@@ -9,13 +9,16 @@ module ehlwave_inlet_plan
    use ehlwave_kinds, only: dp
    use ehlwave_number_file, only: read_number_table
    use ehlwave_number_table, only: number_table_t
+   use ehlwave_resolution, only: add_reason, resolution_t
    use ehlwave_rheology, only: rheology_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: check_inlet, expected_oil, plan_inlet
+   public :: check_inlet, expected_oil, judge_lanes, plan_inlet
 
    real(dp), parameter :: least_oil = 1e-4_dp     !! over flooded, where a profile has none at Y = 0
+   real(dp), parameter :: fewest_cells = 2        !! across a ridge or dry lane of a profile that resolve it
+   real(dp), parameter :: least_height = 0.05_dp  !! over the largest share, of lanes that are judged
 
 contains
 
@@ -102,6 +105,20 @@ contains
       end if
       expected_oil = max(least_oil, expected_oil*inlet%share_at(0.0_dp))
    end function expected_oil
+
+   !> Note a ridge or dry lane of the profile that is too narrow for the mesh: cells hold its oil, but not its form.
+   subroutine judge_lanes(inlet, y_max, hy, resolution)
+      type(inlet_oil_t), intent(in) :: inlet
+      real(dp), intent(in) :: y_max, hy     !! half the width of the domain, mesh size
+      type(resolution_t), intent(inout) :: resolution
+      real(dp) :: width
+
+      width = inlet%narrowest_lane(y_max, least_height)
+      if (width >= fewest_cells*hy) return
+      call add_reason(resolution%reason, 'the oil profile has a ridge or dry lane '//to_text(width, 2)//' b wide, '// &
+                      to_text(width/hy, 2)//' cells: use hY <= '//to_text(width/fewest_cells, 2))
+      resolution%is_resolved = .false.
+   end subroutine judge_lanes
 
    !> A profile has two places or more, in order, and no negative layer; somewhere there is oil.
    subroutine check_profile(path, inlet, error)

@@ -10,7 +10,7 @@ module ehlwave_resolution
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: judge_resolution, inlet_length, inlet_gap, meniscus_distance, touching_reason, closing_reason, &
+   public :: judge_resolution, has_room, inlet_length, inlet_gap, meniscus_distance, touching_reason, closing_reason, &
       add_reason, times_as_wide
 
    ! Points per wave, in each direction and in time.

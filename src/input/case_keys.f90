@@ -164,8 +164,9 @@ contains
       call list%see(case%x_max, key_t('x_max', 'X of the outlet boundary', minimum=1.0_dp))
       call list%see(case%y_max, key_t('y_max', 'Y of the side boundary', minimum=1.0_dp, applies=is_elliptical, &
          when=elliptical))
-      call list%see(case%cells_x, key_t('cells_x', 'cells along X over the whole domain; even, best if they can be '// &
-         'halved several times; 0: chosen so that the case is resolved', minimum=0.0_dp, maximum=8192.0_dp))
+      call list%see(case%cells_x, key_t('cells_x', 'cells along X over the whole domain; even and at least 16, '// &
+         'best if they can be halved several times; 0: chosen so that the case is resolved', minimum=0.0_dp, &
+         maximum=8192.0_dp))
       call list%see(case%cells_y, key_t('cells_y', 'cells along Y over the whole domain; as cells_x', minimum=0.0_dp, &
          maximum=8192.0_dp, applies=is_elliptical, when=elliptical))
       call list%see(case%largest_cells, key_t('largest_cells', 'limit of what is chosen', minimum=64.0_dp, &

@@ -19,11 +19,11 @@ contains
          'waves pass, temperatures stay those of the smooth contact, or are carried on in time.')
       list%common = key_t(is_late=.true., is_written=heat%is_given())
       call list%see(heat%oil_conductivity_w_per_m_k, key_t('oil_conductivity_w_per_m_k', 'conductivity of the oil', &
-         unit='W/(m K)', minimum=0.0_dp, default='none'))
-      call list%see(heat%oil_heat_capacity_j_per_kg_k, key_t('oil_heat_capacity_j_per_kg_k', 'heat capacity of the '// &
-         'oil',          unit='J/(kg K)', minimum=0.0_dp, default='none'))
+         unit='W/(m K)', above=0.0_dp, default='none'))
+      call list%see(heat%oil_heat_capacity_j_per_kg_k, key_t('oil_heat_capacity_j_per_kg_k', 'heat capacity of '// &
+         'the oil', unit='J/(kg K)', above=0.0_dp, default='none'))
       call list%see(heat%oil_density_kg_per_m3, key_t('oil_density_kg_per_m3', 'density of the oil at ambient '// &
-         'pressure and T0', unit='kg/m3', minimum=0.0_dp, default='none'))
+         'pressure and T0', unit='kg/m3', above=0.0_dp, default='none'))
       call list%see(heat%oil_expansion_per_k, key_t('oil_expansion_per_k', 'thermal expansion of the oil; its '// &
          'density falls and its compression heats by it', unit='1/K', minimum=0.0_dp, maximum=0.01_dp))
       call list%see(heat%viscosity_temperature_per_k, key_t('viscosity_temperature_per_k', 'beta; -d ln(eta)/dT at '// &
@@ -48,11 +48,11 @@ contains
 
       default = merge('as body_...', '           ', name == 'body2')
       call list%see(body%conductivity_w_per_m_k, key_t(name//'_conductivity_w_per_m_k', 'conductivity'//of, &
-         unit='W/(m K)', minimum=0.0_dp, default=default))
+         unit='W/(m K)', above=0.0_dp, default=default))
       call list%see(body%density_kg_per_m3, key_t(name//'_density_kg_per_m3', 'density'//of, unit='kg/m3', &
-         minimum=0.0_dp, default=default))
+         above=0.0_dp, default=default))
       call list%see(body%heat_capacity_j_per_kg_k, key_t(name//'_heat_capacity_j_per_kg_k', 'heat capacity'//of, &
-         unit='J/(kg K)', minimum=0.0_dp, default=default))
+         unit='J/(kg K)', above=0.0_dp, default=default))
    end subroutine visit_body
 
 end module ehlwave_heat_keys

@@ -1,7 +1,8 @@
 !> Whether a results file can be written under a name: found out before the computation, not after it.
 module ehlwave_output_path
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_own_result, only: is_own_result
+   use ehlwave_own_result, only: found_damaged, found_foreign, found_own, found_unreadable, is_own_result, &
+      look_at_result
    use ehlwave_paths, only: is_same_file
    use ehlwave_posix, only: clear_temporaries, file_kind, kind_file, kind_folder, kind_link, kind_none, reason_text, &
       try_file
@@ -11,18 +12,21 @@ module ehlwave_output_path
    public :: check_output_name, check_output_path
 
    character(len=*), parameter :: suffix = '.h5'
+   integer, parameter :: found_other = -1   !! result of another program of ehlwave
 
 contains
 
    !> Refuse a name under which no file can be made, under which there is something else than a regular file, or a file
    !> that the run reads: those are never replaced. A file that is no result of the programs is replaced where
-   !> overwriting is asked for. Removes what a process that died has left of this file.
-   subroutine check_output_path(path, inputs, overwrites, error, format)
+   !> overwriting is asked for, as is a damaged HDF5 file beside its store. Removes the temporary files of this file
+   !> that dead processes have left.
+   subroutine check_output_path(path, inputs, overwrites, error, format, has_store)
       character(len=*), intent(in) :: path
       character(len=*), intent(in) :: inputs(:)   !! files that the run reads; blank: none
       logical, intent(in) :: overwrites
       type(error_t), allocatable, intent(inout) :: error
       character(len=*), intent(in), optional :: format   !! of the results that are replaced without a word; absent: all
+      logical, intent(in), optional :: has_store         !! whether the results are written anew from a store
       integer :: slash
 
       if (allocated(error)) return
@@ -35,7 +39,7 @@ contains
       case (kind_none, kind_file)
          call refuse_inputs(path, inputs, error)
          call check_output_name(path, error)
-         if (.not. overwrites) call refuse_foreign(path, format, error)
+         if (.not. overwrites) call refuse_foreign(path, format, has_store, error)
          if (allocated(error)) return
          call refuse_unwritable(path, error)
          call clear_temporaries(path(:slash)//'.', path(slash + 1:))
@@ -71,19 +75,33 @@ contains
       end do
    end subroutine refuse_inputs
 
-   subroutine refuse_foreign(path, format, error)
+   subroutine refuse_foreign(path, format, has_store, error)
       character(len=*), intent(in) :: path
       character(len=*), intent(in), optional :: format
+      logical, intent(in), optional :: has_store
       type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: reason
+      integer :: found
+
       if (allocated(error)) return
       if (file_kind(path) == kind_none) return
-      if (is_own_result(path, format)) return
-      if (is_own_result(path)) call raise(error, 'cannot write '//path//': it is a result of another program of '// &
-         'ehlwave, of a sweep perhaps; give another name, or --overwrite')
-      if (.not. allocated(error)) call raise(error, 'cannot write '//path// &
-         ': it exists and is no result of ehlwave, or '// &
-         'a damaged one; move it away or give another name (--overwrite replaces it and, of a sweep, drops the '// &
-         'store, too)')
+      call look_at_result(path, found, reason, format)
+      if (found == found_foreign) found = merge(found_other, found_foreign, is_own_result(path))
+      if (present(has_store)) found = merge(found_own, found, has_store .and. found == found_damaged)
+      select case (found)
+      case (found_unreadable)
+         call raise(error, 'cannot write '//path//': it exists and cannot be opened now ('//reason// &
+            '): make it readable, or give another name')
+      case (found_damaged)
+         call raise(error, 'cannot write '//path//': it is a damaged HDF5 file, or another program has it '// &
+            'open for writing: close it there, move it away, or give another name')
+      case (found_other)
+         call raise(error, 'cannot write '//path//': it is a result of another program of ehlwave, of a sweep '// &
+            'perhaps; give another name, or --overwrite')
+      case (found_foreign)
+         call raise(error, 'cannot write '//path//': it exists and is no result of ehlwave; move it away or give '// &
+            'another name (--overwrite replaces it and, of a sweep, drops the store, too)')
+      end select
    end subroutine refuse_foreign
 
    subroutine refuse_unwritable(path, error)

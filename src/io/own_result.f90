@@ -1,15 +1,23 @@
 !> Whether a file is a result of the programs, which may be replaced without a word.
+!>
+!> A file that cannot be read now is not taken for a foreign one: see `found_unreadable`.
 module ehlwave_own_result
    use, intrinsic :: iso_c_binding, only: c_funloc, c_loc, c_ptr
+   use ehlwave_hdf5_reading, only: has_hdf5_signature, open_hdf5
    use ehlwave_posix, only: file_kind, kind_file
    use ehlwave_process, only: guarded
-   use hdf5, only: h5aclose_f, h5aexists_f, h5aget_type_f, h5aopen_f, h5aread_f, h5close_f, h5eset_auto_f, &
-      h5f_acc_rdonly_f, &
-      h5fclose_f, h5fopen_f, h5open_f, h5t_fortran_s1, h5t_string_f, h5tclose_f, h5tcopy_f, h5tget_class_f, &
+   use hdf5, only: h5aclose_f, h5aexists_f, h5aget_type_f, h5aopen_f, h5aread_f, h5close_f, h5fclose_f, &
+      h5t_fortran_s1, h5t_string_f, h5tclose_f, h5tcopy_f, h5tget_class_f, &
       h5tget_size_f, h5tis_variable_str_f, h5tset_size_f, hid_t, size_t
    implicit none (type, external)
    private
-   public :: is_own_result
+   public :: is_own_result, look_at_result
+
+   !> Kinds of what `look_at_result` finds under a name.
+   integer, parameter, public :: found_own = 1         !! a result of the programs
+   integer, parameter, public :: found_foreign = 2     !! no HDF5 file, or none of ours
+   integer, parameter, public :: found_damaged = 3     !! begins as HDF5 files do, and the library cannot open it
+   integer, parameter, public :: found_unreadable = 4  !! the system does not open it
 
    character(len=*), parameter :: formats(2) = [character(len=15) :: 'ehlwave-case', 'ehlwave-results']
    integer(size_t), parameter :: longest_format = 64
@@ -18,24 +26,45 @@ module ehlwave_own_result
    type :: looking_t
       character(len=:), allocatable :: path
       character(len=longest_format) :: format = ''
-      logical :: has_version = .false.
+      logical :: has_version = .false., is_open = .false.
    end type looking_t
    type(looking_t) :: looking
 
 contains
 
-   !> A regular file that says that it is one: HDF5 with the attributes `format` and `program_version` of ours. One that
-   !> cannot be read is none.
+   !> Whether a regular file is a result: HDF5 with the attributes `format` and `program_version` of the programs.
    logical function is_own_result(path, format)
       character(len=*), intent(in) :: path
       character(len=*), intent(in), optional :: format   !! the one that it has to be; absent: any
-      is_own_result = .false.
-      if (file_kind(path) /= kind_file) return
-      looking = looking_t(path=path)
-      if (guarded(c_funloc(read_attributes)) == 0) is_own_result = any(formats == looking%format) .and. &
-         looking%has_version
-      if (present(format)) is_own_result = is_own_result .and. looking%format == format
+      character(len=:), allocatable :: reason
+      integer :: found
+      call look_at_result(path, found, reason, format)
+      is_own_result = found == found_own
    end function is_own_result
+
+   !> Find out the kind of a file; something other than a regular file is foreign.
+   subroutine look_at_result(path, found, reason, format)
+      character(len=*), intent(in) :: path
+      integer, intent(out) :: found                                !! one of the kinds above
+      character(len=:), allocatable, intent(out) :: reason         !! system's words where the file is unreadable
+      character(len=*), intent(in), optional :: format             !! the only one that counts as own; absent: any
+      logical :: is_hdf5
+
+      found = found_foreign
+      reason = ''
+      if (file_kind(path) /= kind_file) return
+      call has_hdf5_signature(path, is_hdf5, reason)
+      if (reason /= '') found = found_unreadable
+      if (.not. is_hdf5) return
+      looking = looking_t(path=path)
+      if (guarded(c_funloc(read_attributes)) /= 0) looking%is_open = .false.
+      if (.not. looking%is_open) then
+         found = found_damaged
+      else if (looking%has_version .and. any(formats == looking%format)) then
+         found = found_own
+         if (present(format)) found = merge(found_own, found_foreign, looking%format == format)
+      end if
+   end subroutine look_at_result
 
    !> The library does not survive every file that is damaged or meant to harm.
    subroutine read_attributes() bind(c)
@@ -43,10 +72,8 @@ contains
       integer :: status
       logical :: exists
 
-      call h5open_f(status)
-      call h5eset_auto_f(0, status)
-      call h5fopen_f(looking%path, h5f_acc_rdonly_f, file, status)
-      if (status >= 0) then
+      call open_hdf5(looking%path, file, looking%is_open)
+      if (looking%is_open) then
          call h5aexists_f(file, 'program_version', exists, status)
          looking%has_version = exists .and. status >= 0
          call h5aexists_f(file, 'format', exists, status)

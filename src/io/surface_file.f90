@@ -1,16 +1,15 @@
 !> Surfaces written by `ehlwave surface`: HDF5 with heights over x and y in metres.
 module ehlwave_surface_file
-   use, intrinsic :: iso_c_binding, only: c_funloc, c_long, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_funloc, c_size_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_hdf5_reading, only: has_hdf5_signature, is_written_to, open_hdf5
    use ehlwave_kinds, only: dp
    use ehlwave_memory, only: can_allocate
-   use ehlwave_posix, only: close_file, open_file, reason_text
    use ehlwave_process, only: guarded
    use ehlwave_text, only: to_text
    use h5lt, only: h5ltget_dataset_info_f, h5ltget_dataset_ndims_f, h5ltread_dataset_double_f
    use hdf5, only: h5close_f, h5d_virtual_f, h5dclose_f, h5dget_create_plist_f, h5dget_storage_size_f, h5dopen_f, &
-      h5eset_auto_f, &
-      h5f_acc_rdonly_f, h5fclose_f, h5fopen_f, h5l_type_hard_f, h5lget_info_f, h5open_f, h5pclose_f, &
+      h5fclose_f, h5l_type_hard_f, h5lget_info_f, h5pclose_f, &
       h5pget_external_count_f, h5pget_layout_f, h5pget_nfilters_f, h5t_float_f, h5t_integer_f, hid_t, hsize_t, size_t
    implicit none (type, external)
    private
@@ -41,18 +40,21 @@ contains
       real(dp), allocatable, intent(out) :: height(:, :)
       real(dp), intent(out) :: step_x, step_y
       type(error_t), allocatable, intent(inout) :: error
-      integer(c_long) :: bytes
-      integer :: status, unit
+      character(len=:), allocatable :: reason
+      logical :: is_hdf5
 
       step_x = 0
       step_y = 0
-      call open_file(path, unit, bytes, status)
-      if (status /= 0) then
-         call raise(error, '&surface file = '''//path//''': cannot be read ('//reason_text(status)// &
+      call has_hdf5_signature(path, is_hdf5, reason)
+      if (reason /= '') then
+         call raise(error, '&surface file = '''//path//''': cannot be read ('//reason// &
             '); ehlwave surface writes one')
          return
+      else if (is_written_to(path)) then
+         call raise(error, '&surface file = '''//path//''': another program holds it open for writing: close it '// &
+            'there (HDF5_USE_FILE_LOCKING=FALSE reads it all the same)')
+         return
       end if
-      status = close_file(unit)
       reading = reading_t(path=path)
       if (guarded(c_funloc(read_datasets)) /= 0) then
          call raise(error, '&surface file = '''//path//''': the HDF5 library breaks down on it: the file is damaged')
@@ -70,12 +72,11 @@ contains
    subroutine read_datasets() bind(c)
       integer(hid_t) :: file
       integer :: status
+      logical :: is_open
 
       associate (path => reading%path)
-         call h5open_f(status)
-         call h5eset_auto_f(0, status)
-         call h5fopen_f(path, h5f_acc_rdonly_f, file, status)
-         if (status < 0) then
+         call open_hdf5(path, file, is_open)
+         if (.not. is_open) then
             call raise(reading%error, '&surface file = '''//path//''': is not an HDF5 file; ehlwave surface writes one')
          else
             call read_numbers(path, file, 'height', reading%flat, reading%extent, reading%error)

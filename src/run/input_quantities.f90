@@ -114,23 +114,21 @@ contains
       associate (c => plan%conditions)
          call list%add('central_film_formula', 'central film by theory eq. (H1), of a line contact (H2), '// &
             '(h/Rx)(2U)^(-1/2)', moes_film_formula(c))
-         call add_lengths(list, c, ['semi_axis_a_m     ', 'semi_axis_b_m     ', 'hertz_approach_c_m'])
+         call add_lengths(list, c)
          call list%add('moes_film_factor', 'film (h/Rx)(2U)^(-1/2) for H = 1', c%moes_film_factor)
       end associate
       call add_formulas(list, blank_result(case, plan))
    end subroutine add_plan
 
-   !> Hertz's lengths a, b and c of a contact with dimensions. Plans name them as the Python package does, results as
-   !> their files did first: readers of either know them by these names.
-   subroutine add_lengths(list, conditions, names)
+   !> Hertz's lengths a, b and c of a contact with dimensions, named as in the Python package.
+   subroutine add_lengths(list, conditions)
       type(quantity_list_t), intent(inout) :: list
       type(conditions_t), intent(in) :: conditions
-      character(len=*), intent(in) :: names(3)
       associate (c => conditions)
-         call list%add(trim(names(1)), 'Hertz semi-axis in x', c%a_m, unit='m', exists=c%has_dimensions)
-         call list%add(trim(names(2)), 'Hertz semi-axis in y', c%b_m, unit='m', &
+         call list%add('semi_axis_a_m', 'Hertz semi-axis in x', c%a_m, unit='m', exists=c%has_dimensions)
+         call list%add('semi_axis_b_m', 'Hertz semi-axis in y', c%b_m, unit='m', &
                        exists=c%has_dimensions .and. .not. c%is_line())
-         call list%add(trim(names(3)), 'Hertz approach', c%c_m, unit='m', exists=c%has_dimensions)
+         call list%add('hertz_approach_c_m', 'Hertz approach', c%c_m, unit='m', exists=c%has_dimensions)
       end associate
    end subroutine add_lengths
 

@@ -110,7 +110,7 @@ contains
                        unit='um', exists=c%has_dimensions)
          call list%add('minimum_film_um', 'smallest film thickness h of the smooth contact', &
                        result%minimum_film*c%c_m*um_per_m, unit='um', exists=c%has_dimensions)
-         call add_lengths(list, c, ['length_a_m', 'length_b_m', 'length_c_m'])
+         call add_lengths(list, c)
          call list%add('hertz_pressure_pa', 'largest Hertz pressure', c%hertz_pressure_pa, unit='Pa', &
             exists=c%has_dimensions)
       end associate

@@ -81,10 +81,10 @@ contains
       if (folder == sweep%output) call raise(error, "results file '"//shown(folder)// &
          "' has the name of a store: give one that ends in .h5")
       call refuse_inside_store(sweep%output, error)
-      call check_output_path(sweep%output, files_read(sweep), options%overwrite, error)
+      if (.not. (allocated(error) .or. options%overwrite)) call check_store(folder, has_store, error)
+      call check_output_path(sweep%output, files_read(sweep), options%overwrite, error, has_store=has_store)
       if (options%overwrite) call refuse_dropped_inputs(folder, files_read(sweep), error)
       if (options%overwrite) call discard_store(folder, error)
-      if (.not. (allocated(error) .or. options%overwrite)) call check_store(folder, has_store, error)
       inquire (file=sweep%output, exist=has_results)
       if (has_results .and. .not. (has_store .or. options%overwrite .or. allocated(error))) call raise(error, &
          'results file '// &

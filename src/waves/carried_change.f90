@@ -111,13 +111,14 @@ contains
    end function largest
 
    !> Give films at the centre of the last period, and of the steps that are interpolated with them, what is on its way
-   !> to there: all changes at a whole number of periods upstream.
+   !> to there: all changes at a whole number of periods upstream. A period below a time step has no such places.
    pure subroutine correct(self, films)
       class(carried_change_t), intent(in) :: self
       real(dp), intent(inout) :: films(0:)       !! (0:k), the last step seen
       real(dp) :: place, x
       integer :: i, k
 
+      if (self%lag < 1) return
       do k = max(0, ubound(films, 1) - floor(self%lag) - points), ubound(films, 1)
          x = -(k - ubound(films, 1) + self%lag)*self%cells_per_step*self%grid%hx
          do while (x >= self%first)

@@ -38,9 +38,9 @@ contains
       self%samples = 0
       self%steps = 0
       self%period = period
-      self%steps_per_sample = ceiling(period/(time_step*most_samples) - rounding)
+      self%steps_per_sample = max(1, ceiling(period/(time_step*most_samples) - rounding))
       self%distance = self%steps_per_sample*time_step
-      n = ceiling(period/self%distance - rounding) + points   ! so that three steps back is known, too
+      n = max(1, ceiling(period/self%distance - rounding)) + points   ! so that three steps back is known, too
       if (allocated(self%p)) deallocate (self%p, self%delta)
       allocate (self%p(0:nx, 0:ny, 0:n - 1), self%delta(0:n - 1))
    end subroutine begin

@@ -129,8 +129,8 @@ contains
       associate (march => self%march%result)
          dt = march%time(march%steps) - march%time(march%steps - 1)
          do k = 0, history%steps
-            place = (times(k) - march%time(0) &
-               - self%repeats*ceiling((times(k) - march%time(march%steps))/self%repeats))/dt
+            place = (march%time(march%steps) - march%time(0) &
+               - modulo(march%time(march%steps) - times(k), self%repeats))/dt
             base = min(max(floor(place) - points/2 + 1, 0), march%steps - points + 1)
             associate (weights => lagrange_weights(points, place - base))
                history%central_film(k) = dot_product(weights, march%central_film(base:base + points - 1))

@@ -1,6 +1,6 @@
 /* A library to preload: one call of the system on the files of a sweep fails, or does less than was asked.
 
-   EHLWAVE_FAULT = "CALL NUMBER ERRNO TIMES PART": of the calls of open, read, write, fsync, rename, unlink or mkdir that
+   EHLWAVE_FAULT = "CALL NUMBER ERRNO TIMES PART": of the calls of open, read, write, fsync, lock, rename, unlink or mkdir that
    concern a path with PART in it, those from NUMBER (1, 2, ...) on, TIMES of them, fail with ERRNO. ERRNO 0: write and read do
    half of what was asked, fsync waits 0.3 s. At the end of the process the number of such calls is appended to the file that
    EHLWAVE_FAULT_COUNT names, if that is set.
@@ -112,6 +112,24 @@ int fsync(int file)
    }
    return next(file);
 }
+
+/* Both kinds of locks are "lock": of whole files, as HDF5 takes them, and of parts, as the programs do. */
+int flock(int file, int operation)
+{
+   NEXT(int, "flock", int, int);
+   if (hits_file("lock", file) && error) FAIL;
+   return next(file, operation);
+}
+
+#define LOCKF(name, offset) \
+   int name(int file, int command, offset length) \
+   { \
+      NEXT(int, #name, int, int, offset); \
+      if (hits_file("lock", file) && error) FAIL; \
+      return next(file, command, length); \
+   }
+LOCKF(lockf, off_t)
+LOCKF(lockf64, off64_t)
 
 int rename(const char *old, const char *new)
 {

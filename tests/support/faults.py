@@ -31,6 +31,8 @@ WHOLE = {**HALF, "sweep": {**HALF["sweep"], "load_parameter_m": [100, 120, 140, 
 class Faults:
     """Faults one after the other in a folder."""
 
+    variables = {}   # of the environment, besides those of MPI
+
     def __init__(self, folder, seed, circumstances):
         self.folder, self.random, self.circumstances = Path(folder), random.Random(seed), circumstances
         self.counts = {"faults": 0, "reached": 0, "lost": 0, "doubled": 0, "different": 0, "hung": 0, "crashed": 0}
@@ -48,7 +50,7 @@ class Faults:
 
     def run(self, place, fault=None, count=None):
         """Status and output of a run; None where it hangs."""
-        environment = {**os.environ, **MPI_ENVIRONMENT}
+        environment = {**os.environ, **MPI_ENVIRONMENT, **self.variables}
         if fault:
             environment |= {"LD_PRELOAD": os.environ["EHLWAVE_FAULTS"], "EHLWAVE_FAULT": fault}
             if count:

@@ -1,6 +1,6 @@
 """Disturb a sweep at random moments, see that nothing is lost, that the end is the same bit for bit.
 
-    python3 torture.py [--disturbances N] [--faults N] [--ranks N] [--seed N] [--folder DIR]
+    python3 torture.py [--disturbances N] [--faults N] [--bad-days N] [--ranks N] [--seed N] [--folder DIR]
 
 Needs EHLWAVE_SWEEP (the program) and EHLWAVE_MPIEXEC; for faults EHLWAVE_FAULTS, see faults.py. A disturbance is kill -9 of a
 random rank or of mpirun, SIGTERM or SIGUSR1 to one of them, or a full disk. After each, the store must be readable and hold at
@@ -18,6 +18,7 @@ import tempfile
 import time
 from pathlib import Path
 
+from bad_days import BadDays
 from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, mpi_command, namelist
 from faults import Faults
 from hdf5_reading import read
@@ -266,11 +267,26 @@ def inject(faults, seed, folder=None, say=print):
     return run.counts
 
 
+def spoil_days(days, seed, folder=None, say=print):
+    """So many runs of each mode of `BadDays`. Returns its counts and the number of runs of each mode."""
+    done = {}
+    with tempfile.TemporaryDirectory(dir=folder) as place:
+        run = BadDays(place, seed, CIRCUMSTANCES)
+        for mode in [mode for mode in run.modes for _ in range(days)]:
+            say(f"  {mode}: exit status {run.disturb_by(mode)}")
+            done[mode] = done.get(mode, 0) + 1
+            for message in run.messages:
+                say(f"  {message}")
+            run.messages.clear()
+    return run.counts, done
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--cases", type=int, default=2500)
     parser.add_argument("--disturbances", type=int, default=60)
     parser.add_argument("--faults", type=int, default=60)
+    parser.add_argument("--bad-days", type=int, default=20, help="of each mode: launcher killed, locks refused, results held open")
     parser.add_argument("--ranks", type=int, default=4)
     parser.add_argument("--seed", type=int, default=int(time.time()))
     parser.add_argument("--folder", help="where the sweep runs; default: the temporary folder of the system")
@@ -282,7 +298,9 @@ if __name__ == "__main__":
         signals += torture(options.cases, options.disturbances - signals, options.ranks, seed, options.folder, tell)
         seed += 1
     counts = inject(options.faults, options.seed, options.folder, tell) if options.faults else {}
-    bad = {name: counts.get(name, 0) for name in ("lost", "doubled", "different", "hung", "crashed")}
-    print(f"{signals} signals and full disks, {counts.get('faults', 0)} faults ({counts.get('reached', 0)} of them stopped a run): "
+    spoilt, modes = spoil_days(options.bad_days, options.seed, options.folder, tell) if options.bad_days else ({}, {})
+    bad = {name: counts.get(name, 0) + spoilt.get(name, 0) for name in ("lost", "doubled", "different", "hung", "crashed")}
+    print(f"{signals} signals and full disks, {counts.get('faults', 0)} faults ({counts.get('reached', 0)} of them stopped a run), "
+          + ", ".join(f"{number} {mode}" for mode, number in modes.items()) + ": "
           + ", ".join(f"{number} {name}" for name, number in bad.items()))
     sys.exit(1 if any(bad.values()) else 0)

@@ -108,8 +108,8 @@ class CaseFile(FolderTest):
                                  "load_n": 39.2, "mean_speed_m_per_s": 0.024, "viscosity_pa_s": 1.22},
                   "grid": {"cells_x": 64, "cells_y": 64}}
         result, _, data = self.run_case(namelist(groups))
-        self.assertAlmostEqual(float(data["length_a_m"])*1e3, 0.185, delta=0.001)
-        self.assertAlmostEqual(float(data["length_c_m"])*result["central_film"]*1e6, result["central_film_um"], delta=1e-9)
+        self.assertAlmostEqual(float(data["semi_axis_a_m"])*1e3, 0.185, delta=0.001)
+        self.assertAlmostEqual(float(data["hertz_approach_c_m"])*result["central_film"]*1e6, result["central_film_um"], delta=1e-9)
 
     def test_sliding(self):
         """The example of sliding: the stress field adds up to the friction, and the report says both."""

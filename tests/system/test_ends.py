@@ -70,6 +70,13 @@ class Files(Ends):
                 self.check_status(again)
                 self.assertEqual(len(finished(self.folder/f"{bytes_}.store")), 8)
 
+    @unittest.skipUnless(is_open_mpi(), "another MPI opens fewer files")
+    def test_too_few_open_files_for_mpi(self):
+        """MPI ends the program by itself, with a status of its own: 1, which would be cases that did not converge."""
+        outcome = self.call(SWEEP, "sweep.nml", before=limited("RLIMIT_NOFILE", 16))
+        self.check_status(outcome, NO_MEMORY)
+        self.assertRegex(outcome.stderr, r"\nehlwave-sweep: MPI could not be started: only 16 files may be open \(ulimit -n\)[^\n]*\n$")
+
     @unittest.skipUnless(is_open_mpi(), "another MPI starts")
     def test_a_limit_under_which_mpi_cannot_start(self):
         outcome = self.call(RUN_SWEEP, "--ranks", 2, "sweep.nml", before=limited("RLIMIT_FSIZE", MIB), EHLWAVE_PATIENCE="10")

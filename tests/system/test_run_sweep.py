@@ -3,6 +3,7 @@
 import os
 import resource
 import subprocess
+import time
 import unittest
 from pathlib import Path
 
@@ -24,6 +25,28 @@ time.sleep(7200)
 # The rank waits for ever in the start of MPI.
 NEVER_STARTS = LOCKS_UP_ONCE.replace('["true"]', '["sleep", "7200"]').replace("sys.argv[3:]", '["false"]')
 
+# The first time it is killed while its rank computes, which goes on.
+IS_KILLED_ONCE = """#!/usr/bin/env python3
+import os, pathlib, signal, subprocess, sys, time
+shift = sys.argv[3:]
+if pathlib.Path("called").exists():
+    os.execv(shift[0], shift)
+pathlib.Path("called").touch()
+subprocess.Popen(shift, stdout=subprocess.DEVNULL, start_new_session=True)
+end = time.monotonic() + 60
+while "a job is at work" not in subprocess.run([shift[0], "--status", "results.h5"], capture_output=True, text=True).stdout:
+    if time.monotonic() > end:
+        sys.exit(9)
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+# Open MPI whose trial start is ended by the signal of a batch system.
+IS_TRIED = """#!/bin/sh
+if [ "$1" = --version ]; then echo 'mpirun (Open MPI) 4.1.4'; exit; fi
+touch tried
+sleep 1
+exit 143
+"""
+
 
 class RunSweep(FolderTest):
     def setUp(self):
@@ -32,9 +55,9 @@ class RunSweep(FolderTest):
         (self.folder/"launcher").write_text(LOCKS_UP_ONCE)
         (self.folder/"launcher").chmod(0o755)
 
-    def sweep(self, *arguments, ranks=1, before=None):
+    def sweep(self, *arguments, ranks=1, before=None, patience=1):
         """Run the sweep by this launcher."""
-        variables = {"EHLWAVE_LAUNCHER": "./launcher", "EHLWAVE_PATIENCE": "1"}
+        variables = {"EHLWAVE_LAUNCHER": "./launcher", "EHLWAVE_PATIENCE": str(patience)}
         return subprocess.run([SCRIPT, "sweep.nml", "--ranks", str(ranks), *arguments], cwd=self.folder, text=True, capture_output=True,
                               check=False, timeout=HANGS_S, env={**os.environ, **variables}, preexec_fn=before)
 
@@ -44,6 +67,30 @@ class RunSweep(FolderTest):
         self.assertIn("all ranks have ended", outcome.stdout)
         self.assertIn("start 1 of at most 5 again", outcome.stdout)
         self.assertTrue((self.folder/"results.h5").exists())
+
+    def test_a_launcher_that_is_killed_leaves_ranks_to_wait_for(self):
+        (self.folder/"launcher").write_text(IS_KILLED_ONCE)
+        slow = {**SWEEP, "radius_ratio_d": [1, 0.9, 0.8, 0.7, 0.6, 0.5]}
+        (self.folder/"sweep.nml").write_text(namelist({"sweep": slow, "grid": {"cells_x": 384, "cells_y": 384}}))
+        outcome = self.sweep("--output", "results.h5", patience=60)
+        self.check_status(outcome)
+        self.assertIn("start 1 of at most 5 again", outcome.stdout)
+        self.assertIn("6 of 6 cases are in the store already", outcome.stdout)
+
+    def test_a_signal_while_the_launcher_is_tried(self):
+        (self.folder/"mpirun").write_text(IS_TRIED)
+        (self.folder/"mpirun").chmod(0o755)
+        variables = {name: value for name, value in os.environ.items() if name != "EHLWAVE_LAUNCHER"}
+        variables["PATH"] = f"{self.folder}:{os.environ['PATH']}"
+        with subprocess.Popen([SCRIPT, "sweep.nml", "--ranks", "1", "--output", "results.h5"], cwd=self.folder, text=True,
+                              env=variables, stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
+            end = time.monotonic() + HANGS_S
+            while not (self.folder/"tried").exists() and time.monotonic() < end:
+                time.sleep(0.01)
+            process.terminate()
+            said, _ = process.communicate(timeout=HANGS_S)
+        self.assertEqual(process.returncode, 85, said)
+        self.assertRegex(said, r"the same command goes on \(exit status 85\)\n$")
 
     def test_a_start_that_never_comes_is_ended(self):
         (self.folder/"launcher").write_text(NEVER_STARTS)

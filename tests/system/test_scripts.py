@@ -129,6 +129,20 @@ class Scripts(FolderTest):
         self.assertGreater(tried, 20)
         self.assertFalse((self.folder/"tree"/"build").exists())
 
+    def test_paths_that_cmake_cannot_take(self):
+        """One line that names the character, before CMake blames a package."""
+        (self.folder/"stubs"/"cmake").write_text("#!/bin/sh\necho configured\n")
+        (self.folder/"stubs"/"cmake").chmod(0o755)
+        self.check_status(self.call("build"))
+        for character in '#[];"\\':
+            with self.subTest(character=character):
+                tree = self.folder/f"a{character}b"
+                shutil.copytree(self.folder/"tree"/"scripts", tree/"scripts")
+                outcome = self.call("build", path=tree/"scripts"/"build")
+                self.check_status(outcome, 2)
+                self.assertEqual(outcome.stdout, "")
+                self.assertRegex(outcome.stderr, rf"^build: [^\n]* has the character {re.escape(character)} in its path[^\n]*\n$")
+
     def test_unknown_options(self):
         for script in all_scripts():
             if script.parts[0] in ("batch", "cmake") or script == Path("run-sweep"):   # whose options are those of ehlwave-sweep

@@ -1,8 +1,10 @@
 """A measured surface in the full simulation: what is read, refused, computed and written."""
 
 import math
+import os
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from ehlwave_program import FolderTest, last_line, namelist, run
 from hdf5_reading import h5py, read
@@ -38,6 +40,26 @@ class Surfaces(FolderTest):
         Path(self.folder, "case.nml").write_text(namelist({name: keys for name, keys in inputs.items() if keys}))
         return run("case", "case.nml", *arguments, folder=self.folder)
 
+    def test_files_that_another_program_holds(self):
+        """A surface that is being written is refused with the way out; results that somebody has open are replaced."""
+        self.write([ridge()])
+        with h5py.File(self.folder/"s.h5", "r+"):
+            held = self.run_case("--plan")
+            with mock.patch.dict(os.environ, {"HDF5_USE_FILE_LOCKING": "FALSE"}):
+                free = self.run_case("--plan")
+        self.check_status(held, 2)
+        self.assertRegex(held.stderr, r"&surface file = 's.h5': another program holds it open for writing[^\n]*HDF5_USE_FILE_LOCKING")
+        self.check_status(free)
+        with h5py.File(self.folder/"s.h5", "r"):
+            self.check_status(self.run_case("--plan"))
+        smooth = {"conditions": CONTACT, "surface": None, "grid": {"cells_x": 32, "cells_y": 32}}
+        self.assertIn(self.run_case("--output", "r.h5", **smooth).returncode, (0, 1))
+        before = (self.folder/"r.h5").stat().st_ino
+        with h5py.File(self.folder/"r.h5", "r+"):
+            again = self.run_case("--output", "r.h5", **smooth)
+        self.assertIn(again.returncode, (0, 1), again.stderr)
+        self.assertNotEqual((self.folder/"r.h5").stat().st_ino, before)
+
     def test_ridge_passes_the_centre(self):
         self.write([ridge()])
         outcome = self.run_case("--json", "--output", "out.h5")
@@ -47,7 +69,7 @@ class Surfaces(FolderTest):
         self.assertIn("97 x 1 points", outcome.stdout)
         attributes, data = read(self.folder/"out.h5")
         self.assertIn("file = 's.h5'", attributes["effective_input"])
-        x, film, unit = data["surface_position_m"], data["film_at_centre"], float(data["length_c_m"])
+        x, film, unit = data["surface_position_m"], data["film_at_centre"], float(data["hertz_approach_c_m"])
         # the leading end is at x_min at T = 0, the trailing end at the centre in the end
         self.assertAlmostEqual(x[0], (POINTS - 1)*STEP + 2.5*184.614e-6, delta=1e-9)
         self.assertTrue(-0.07*184.6e-6 <= x[-1] <= 1e-12)

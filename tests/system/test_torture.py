@@ -7,12 +7,13 @@ import unittest
 
 from hdf5_reading import read   # noqa: F401 - leaves as skipped without h5py
 from ehlwave_program import IS_LONG
-from torture import inject, torture
+from torture import inject, spoil_days, torture
 
 CASES = (160, 640, 2560)   # as many as it takes for the sweep not to be over before it is disturbed
 DISTURBANCES = 7 if IS_LONG else 4
 FEWEST = 4 if IS_LONG else 3
 FAULTS = 24 if IS_LONG else 10
+DAYS = 10 if IS_LONG else 2   # of each mode
 
 
 class Torture(unittest.TestCase):
@@ -29,6 +30,15 @@ class Torture(unittest.TestCase):
         counts = inject(FAULTS, seed=20, say=lambda text: (messages.append(text), print(text, file=sys.stderr)))
         self.assertEqual(counts["faults"], FAULTS)
         self.assertGreater(counts["reached"], 0)
+        for name in ("lost", "doubled", "different", "hung", "crashed"):
+            self.assertEqual(counts[name], 0, "\n".join(messages))
+
+    @unittest.skipUnless(os.environ.get("EHLWAVE_FAULTS"), "no library to preload")
+    def test_bad_days(self):
+        messages = []
+        counts, modes = spoil_days(DAYS, seed=20, say=lambda text: (messages.append(text), print(text, file=sys.stderr)))
+        self.assertEqual(set(modes.values()), {DAYS})
+        self.assertEqual(len(modes), 3)
         for name in ("lost", "doubled", "different", "hung", "crashed"):
             self.assertEqual(counts[name], 0, "\n".join(messages))
 

@@ -5,6 +5,7 @@ program test_accuracy_model
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
+   use ehlwave_text, only: to_text
    use testing, only: test_t
    implicit none (type, external)
 
@@ -35,6 +36,27 @@ program test_accuracy_model
                    step_work_units(c, 128, .true., 1.0_dp) > 1, &
                    'costs')
    call test%check(step_work_units(c, 128, .false., 1.0_dp) > step_work_units(c, 128, .true., 1.0_dp), 'flow across the film costs')
+   ! measured, postprocess/record/error-vs-time/line-work.csv
+   call check_line(0.2_dp, 12.0_dp, 4096, 66.0_dp)
+   call check_line(2.0_dp, 12.0_dp, 4096, 165.0_dp)
+   call check_line(5.0_dp, 25.0_dp, 1024, 298.0_dp)
+   call check_line(20.0_dp, 0.0_dp, 1024, 128.0_dp)
+   call check_line(200.0_dp, 2.0_dp, 1024, 344.0_dp)
+   call check_line(1000.0_dp, 12.0_dp, 1024, 1001.0_dp)
    call test%finish()
+
+contains
+
+   !> Work of a line contact within a factor of 2.
+   subroutine check_line(m, l, cells, measured)
+      real(dp), intent(in) :: m, l
+      integer, intent(in) :: cells
+      real(dp), intent(in) :: measured   !! work units
+      call conditions_from_moes(m, l, 0.0_dp, 2.2e-8_dp, c, error)
+      call test%check_no_error(error, 'conditions of a line')
+      associate (ratio => steady_work_units(c, cells, .true., 1.0_dp)/measured)
+         call test%check(ratio > 0.5_dp .and. ratio < 2, 'work of a line contact, M = '//to_text(m, 3))
+      end associate
+   end subroutine check_line
 
 end program test_accuracy_model

@@ -62,7 +62,7 @@ contains
       call test%check_equal(attribute_of(path, 'central_film', 'units'), '1', 'unit')
       call test%check_equal(attribute_of(path, 'central_film', 'long_name'), 'smooth central film thickness H(0,0)', 'long name')
       call test%check_equal(attribute_of(path, 'harmonic_phase', 'units'), 'rad', 'unit of a phase')
-      call test%check_equal(size(numbers_of(path, 'length_a_m')), 0, 'no lengths without dimensions')
+      call test%check_equal(size(numbers_of(path, 'semi_axis_a_m')), 0, 'no lengths without dimensions')
    end subroutine check_quantities
 
    subroutine check_arrays()

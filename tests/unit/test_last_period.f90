@@ -13,9 +13,28 @@ program test_last_period
    call check_period(32.0_dp, 32, 1e-6_dp)     ! in steps; samples kept of it; in single precision
    call check_period(16.0_dp/3, 6, 0.06_dp)    ! cubics over a fifth of a period
    call check_period(70.3_dp, 24, 2e-3_dp)     ! every third step
+   call check_short(1e-3_dp)                   ! far below a step: such waves are not resolved
+   call check_short(1e-9_dp)
    call test%finish()
 
 contains
+
+   !> A period far below a time step: each step is a sample.
+   subroutine check_short(period)
+      real(dp), intent(in) :: period   !! in steps
+      type(last_period_t) :: last
+      real(dp) :: delta, ones(0:1, 0:0), p(0:1, 0:0)
+      integer :: k
+
+      ones = 1
+      call last%begin(period, 1.0_dp, 1, 0)
+      do k = 1, 10
+         call last%keep(real(k, dp), state_t(p=ones, h=ones, delta=1.0_dp))
+      end do
+      call test%check(last%is_known(), 'samples of a short period')
+      call last%look_up(11.0_dp, p, delta)
+      call test%check_close(delta, 1.0_dp, 'a constant a short period before', relative=1e-12_dp)
+   end subroutine check_short
 
    !> A polynomial of degree points - 1.
    subroutine check_weights()

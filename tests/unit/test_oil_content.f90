@@ -32,6 +32,8 @@ program test_oil_content
       call check_contact(amount(n), n == 1)
    end do
    call profile()
+   call check_means()
+   call check_lanes()
    call test%finish()
 
 contains
@@ -257,12 +259,68 @@ contains
       oil = inlet_oil_t(over_flooded=2.0_dp, y=[0.0_dp, 1.0_dp], share=[0.5_dp, 1.0_dp])
       associate (grid => multigrid%levels(size(multigrid%levels))%problem%grid)
          associate (supply => oil%supply_on(grid, 0.1_dp))
-            expected = 0.2_dp*0.75_dp
+            expected = 0.2_dp*0.75_dp   ! linear about this row: its mean is its value
             call test%check_close(supply(1 + minloc(abs(grid%y - 0.5_dp), 1) - 1), expected, 'between two places', &
                                   absolute=1e-12_dp)
             call test%check_close(supply(1), 0.2_dp, 'beyond the last place, mirrored', absolute=1e-12_dp)
          end associate
       end associate
    end subroutine profile
+
+   !> Means of a profile over cells are exact: a spike and a dry lane far narrower than a cell count with all their oil.
+   subroutine check_means()
+      real(dp), parameter :: narrow = 1e-3_dp
+      type(full_multigrid_t) :: multigrid
+      type(inlet_oil_t) :: even, odd
+      real(dp), allocatable :: supply(:)
+
+      call make_multigrid(multigrid, 100.0_dp, 1.0_dp, 32, .false.)
+      odd = inlet_oil_t(over_flooded=1.0_dp, y=[-9.0_dp, 0.3_dp - narrow, 0.3_dp, 0.3_dp + narrow, 9.0_dp], &
+                        share=[1.0_dp, 1.0_dp, 501.0_dp, 1.0_dp, 1.0_dp])
+      even = inlet_oil_t(over_flooded=1.0_dp, y=[0.0_dp, narrow, 2*narrow, 9.0_dp], share=[0.0_dp, 0.0_dp, 1.0_dp, 1.0_dp])
+      associate (grid => multigrid%levels(size(multigrid%levels))%problem%grid)
+         supply = odd%supply_on(grid, 1.0_dp)
+         call test%check_close(sum(supply - 1)*grid%hy, 500*narrow, 'oil of a spike', relative=1e-10_dp)
+         supply = even%supply_on(grid, 1.0_dp)
+         call test%check_close(sum(1 - supply)*grid%hy, 3*narrow, 'oil that a dry lane lacks', relative=1e-10_dp)
+         call test%check_close(minval(supply), 1 - 3*narrow/grid%hy, 'the cell about the lane', relative=1e-10_dp)
+      end associate
+      call test%check_close(even%mean_share(-narrow, -narrow), 0.0_dp, 'a cell of no width', absolute=0.0_dp)
+      call test%check_close(even%mean_share(-narrow, narrow), 0.0_dp, 'dry cells are dry exactly', absolute=0.0_dp)
+      call test%check_close(even%mean_share(-3*narrow, 2*narrow), 0.4_dp, 'both sides of the mirror', relative=1e-12_dp)
+   end subroutine check_means
+
+   !> The narrowest ridge or dry lane that a grid has to resolve.
+   subroutine check_lanes()
+      type(inlet_oil_t) :: oil
+      oil = inlet_oil_t(over_flooded=1.0_dp, y=[0.0_dp, 1.0_dp], share=[0.5_dp, 1.0_dp])
+      call check(oil, 1.0_dp, 'the valley at the mirror')
+      oil%share = 1
+      call check(oil, huge(1.0_dp)/2, 'an even layer', is_least=.true.)
+      oil = inlet_oil_t(over_flooded=1.0_dp, y=[-1.0_dp, 0.2_dp, 0.21_dp, 0.3_dp, 0.31_dp, 2.0_dp], &
+                        share=[1.0_dp, 1.0_dp, 0.0_dp, 0.0_dp, 1.0_dp, 1.0_dp])
+      call check(oil, 0.1_dp, 'a dry lane')
+      oil = inlet_oil_t(over_flooded=1.0_dp, y=[-1.0_dp, 0.0_dp, 0.01_dp, 0.02_dp, 0.03_dp, 0.04_dp, 1.0_dp], &
+                        share=[1.0_dp, 1.0_dp, 1.5_dp, 2.0_dp, 1.5_dp, 1.0_dp, 1.0_dp])
+      call check(oil, 0.02_dp, 'a spike with two places on each side')
+      oil%share = [1.0_dp, 1.0_dp, 1.02_dp, 1.04_dp, 1.02_dp, 1.0_dp, 1.0_dp]
+      call check(oil, huge(1.0_dp)/2, 'a spike too low to count', is_least=.true.)
+      oil = inlet_oil_t(over_flooded=1.0_dp, y=[0.0_dp, 0.05_dp, 0.06_dp, 1.0_dp], share=[0.0_dp, 0.0_dp, 1.0_dp, 1.0_dp])
+      call check(oil, 0.11_dp, 'a dry lane about the mirror')
+      oil = inlet_oil_t(over_flooded=1.0_dp, y=[-1.0_dp, 5.0_dp, 5.01_dp, 5.02_dp, 6.0_dp], &
+                        share=[1.0_dp, 1.0_dp, 0.0_dp, 1.0_dp, 1.0_dp])
+      call check(oil, huge(1.0_dp)/2, 'a lane outside the domain', is_least=.true.)
+   end subroutine check_lanes
+
+   subroutine check(oil, expected, what, is_least)
+      type(inlet_oil_t), intent(in) :: oil
+      real(dp), intent(in) :: expected
+      character(len=*), intent(in) :: what
+      logical, intent(in), optional :: is_least
+      real(dp) :: width
+      width = oil%narrowest_lane(3.0_dp, 0.05_dp)
+      if (present(is_least)) call test%check(width >= expected, what)
+      if (.not. present(is_least)) call test%check_close(width, expected, what, relative=1e-9_dp)
+   end subroutine check
 
 end program test_oil_content

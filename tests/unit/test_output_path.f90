@@ -16,6 +16,7 @@ program test_output_path
                              ' ln data.h5 twin.h5 &&'// &
                              ' mkdir sub && ln -s ../data.h5 sub/link.nml && ln -s victim new.h5.part && : > '// &
                              'left.h5.part-abcdefgh && : > other.h5.part-abcdefgh && : > left.h5.part-HOLIDAYS')
+   call execute_command_line('printf ''\211HDF\r\n\032\n torn'' > '//folder//'/torn.h5')
    call accept(folder//'/new.h5')
    call accept(folder//'/left.h5')
    call check_left('left.h5.part-abc*', 0, 'what a dead process left of this file is removed')
@@ -32,6 +33,10 @@ program test_output_path
    call refuse(folder//'/empty.h5', 'no result of ehlwave')
    call refuse(folder//'/data.h5', 'no result of ehlwave')
    call accept(folder//'/data.h5', overwrites=.true.)
+   call refuse(folder//'/torn.h5', 'it is a damaged HDF5 file')
+   call accept(folder//'/torn.h5', has_store=.true.)
+   call accept(folder//'/torn.h5', overwrites=.true.)
+   call refuse_beside_store(folder//'/data.h5')
    call refuse(folder//'/data.h5', 'which the run reads', input=folder//'/data.h5')
    call refuse(folder//'/data.h5', 'which the run reads', input=folder//'/sub/../data.h5')
    call refuse(folder//'/data.h5', 'which the run reads', input=folder//'/sub/link.nml')
@@ -53,11 +58,11 @@ program test_output_path
 
 contains
 
-   subroutine accept(path, overwrites)
+   subroutine accept(path, overwrites, has_store)
       character(len=*), intent(in) :: path
-      logical, intent(in), optional :: overwrites
+      logical, intent(in), optional :: overwrites, has_store
       type(error_t), allocatable :: error
-      call check_output_path(path, [character(len=1) ::], present(overwrites), error)
+      call check_output_path(path, [character(len=1) ::], present(overwrites), error, has_store=has_store)
       call test%check_no_error(error, path)
    end subroutine accept
 
@@ -73,6 +78,14 @@ contains
       end if
       call test%check_error(error, needle, path)
    end subroutine refuse
+
+   !> A file of somebody else is not replaced for the sake of a store.
+   subroutine refuse_beside_store(path)
+      character(len=*), intent(in) :: path
+      type(error_t), allocatable :: error
+      call check_output_path(path, [character(len=1) ::], .false., error, has_store=.true.)
+      call test%check_error(error, 'no result of ehlwave', path)
+   end subroutine refuse_beside_store
 
    subroutine check_left(pattern, expected, what)
       character(len=*), intent(in) :: pattern, what

@@ -45,6 +45,16 @@ def response(result):
 
 
 class LineContact(TestCase):
+    def test_plans_of_light_contacts(self):
+        """Work within a factor of 2 of the plan, which the cap on work is a multiple of; room for a thick film."""
+        for m, law in ((2, "barus"), (5, "roelands"), (20, "roelands")):
+            with self.subTest(m=m, law=law):
+                row = solve(m=m, l=12, d=0, grid={"cells_x": 4096, "x_min": -20, "x_max": 3}, lubricant={"viscosity_law": law})
+                self.assertEqual(row["status"], "converged", row["message"])
+                self.check_close(math.log2(row["counted_work_units"]/row["expected_work_units"]) + 2, 2, 0.5, f"M = {m}: work")
+        row = solve(m=2, l=12, d=0, lubricant={"viscosity_law": "barus"}, solver={"accuracy": 0.01}, grid={"edges": "flooded"})
+        self.assertEqual(row["status"], "converged", row["message"])
+
     def test_published_ratios(self):
         found = {}
         published = small_line_ratios()

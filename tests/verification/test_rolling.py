@@ -115,7 +115,7 @@ class Rolling(TestCase):
         force = result["rolling_resistance"]
         self.check_close(force, 50*result["rolling_resistance_coefficient"], 1e-12, "force")
         self.check_close(result["rolling_moment"], 0.02*force, 1e-12, "moment")
-        self.check_close(result["rolling_moment"], -50*result["pressure_centre_x"]*result["length_a_m"], 1e-9, "shift of the load")
+        self.check_close(result["rolling_moment"], -50*result["pressure_centre_x"]*result["semi_axis_a_m"], 1e-9, "shift of the load")
         self.check_close(result["rolling_power"], 4*force, 1e-12, "power")
         self.assertEqual(result["friction_coefficient"], 0)
 

@@ -143,7 +143,7 @@ class RoughPair(TestCase):
                 k = 2*math.pi/lam
                 turns = exp(1j*(k*(length - START - speed*time) + phase))
                 predicted = predicted - scale*share*(response*turns).real
-        film = data["film_at_centre"][span]*float(data["length_c_m"])
+        film = data["film_at_centre"][span]*float(data["hertz_approach_c_m"])
         difference = film - film.mean() - (predicted - predicted.mean())
         error = math.sqrt((difference**2).mean())/math.hypot(rq, rq)
         self.assertLess(error, 0.04)

@@ -254,6 +254,22 @@ class Starvation(TestCase):
         self.assertLess(groove, 0.95*plain)
         self.check_close(with_profile(["-0.4,1", "0,0.5", "0.4,1"])["central_film"], groove, 1e-4, "whole domain")
 
+    def test_lanes_narrower_than_a_cell(self):
+        """A dry lane between two rows takes its oil from their cells, and makes the case unresolved, as does a spike."""
+        def with_profile(rows):
+            with tempfile.TemporaryDirectory() as folder:
+                Path(folder, "layer.csv").write_text("y_over_b,layer_over_given\n" + "\n".join(rows) + "\n")
+                return contact(0.8, inlet={"oil_profile": str(Path(folder, "layer.csv"))})
+
+        plain = contact(0.8)
+        lane = with_profile(["0,1", "0.01,1", "0.0101,0", "0.03,0", "0.0301,1", "3,1"])
+        spike = with_profile(["0,1", "0.01,1", "0.011,30", "0.012,1", "3,1"])
+        self.assertEqual((plain["status"], lane["status"], spike["status"]), ("converged", "unresolved", "unresolved"))
+        for row in (lane, spike):
+            self.assertIn("the oil profile has a ridge or dry lane", row["message"])
+        self.assertLess(lane["central_film"], 0.98*plain["central_film"])
+        self.assertGreater(spike["central_film"], 1.02*plain["central_film"])
+
     def test_meniscus_of_a_profile(self):
         """A fifth of five times the oil has the meniscus, and the grid, of that oil."""
         with tempfile.TemporaryDirectory() as folder:

@@ -2,14 +2,15 @@
 
 Answers in one call: :class:`Contact`. The programs from Python: :class:`Case`, :class:`Study`.
 Their results: :func:`read_results`, :func:`read_case`, and what draws, fits and tabulates them.
-Measured surfaces: :mod:`ehlwave.surface`. Stresses below them: :mod:`ehlwave.stress`. Modules are
-imported on first use.
+Measured surfaces: :mod:`ehlwave.surface`. Stresses below them: :mod:`ehlwave.stress`. Bearings,
+gears and cams: :mod:`ehlwave.elements`. Modules are imported on first use.
 """
 
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from ehlwave import contact as contact
+    from ehlwave import elements as elements
     from ehlwave import laws as laws
     from ehlwave import results as results
     from ehlwave import stress as stress
@@ -76,7 +77,7 @@ _HOMES = {
     "results.read": ("read_results",),
     "results.refit": ("RefitRow", "RefitSettings", "refit_groups"),
 }
-_PACKAGES = ("contact", "laws", "results", "stress", "surface")
+_PACKAGES = ("contact", "elements", "laws", "results", "stress", "surface")
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [

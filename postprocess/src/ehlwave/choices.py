@@ -16,8 +16,14 @@ Axis = Literal["x", "y"]
 AXES: tuple[Axis, ...] = ("x", "y")
 """Directions of a trace, and of rolling in a file."""
 
-LAWS = ("atlas", "two-waves", "recommended", "paper")
-"""What components of a surface are judged by."""
+LAWS = ("atlas", "starved", "two-waves", "computed", "recommended", "paper")
+"""Laws that judge the components of a surface, by their names."""
+
+FILM_BY = ("laws", "computed")
+"""Values of ``by`` for films: nothing is computed, or the program answers."""
+
+HOW = ("laws",)
+"""Further values of ``by``: the first law that holds, and nothing is computed."""
 
 Window = Literal["none", "taper", "mirror"]
 WINDOWS: tuple[Window, ...] = ("mirror", "taper", "none")
@@ -46,6 +52,12 @@ TRACTION_RATIOS = (
     *(0.16, 0.25, 0.4, 0.6, 0.9, 1.3, 1.8),
 )
 """Slide-to-roll ratios of ``ehlwave traction``."""
+
+
+def chosen_or_none(word: Any, name: str, known: Iterable[str]) -> None:  # noqa: ANN401
+    """Check a word that an argument takes, or None."""
+    if word is not None:
+        chosen(word, name, known)
 
 
 def chosen(word: Any, name: str, known: Iterable[str], place: str = "", more: str = "") -> str:  # noqa: ANN401

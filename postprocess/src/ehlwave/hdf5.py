@@ -44,6 +44,11 @@ def opened(path: str | Path) -> Iterator[h5py.File]:
     except MemoryError:
         raise
     except OSError as error:
+        if "unable to lock" in str(error):
+            raise ResultsError(
+                f"{file}: another program holds it open for writing, or its file system refuses "
+                f"locks ({reason(error)}): close it there, or set HDF5_USE_FILE_LOCKING=FALSE"
+            ) from error
         raise ResultsError(f"{file}: cannot be read as HDF5 ({reason(error)})") from error
     except Exception as error:
         # A damaged file makes its readers stumble into whatever there is.
@@ -61,7 +66,26 @@ def read_dataset(path: str | Path, **options: Any) -> xr.Dataset:  # noqa: ANN40
         opened(path),
         xr.open_dataset(path, engine="h5netcdf", decode_times=False, **options) as dataset,
     ):
-        return dataset.load()
+        return _renamed(dataset.load())
+
+
+OLD_NAMES = {
+    "length_a_m": "semi_axis_a_m",
+    "length_b_m": "semi_axis_b_m",
+    "length_c_m": "hertz_approach_c_m",
+}
+"""Names in files of earlier versions, and their successors."""
+
+
+def _renamed(dataset: xr.Dataset) -> xr.Dataset:
+    """Return a dataset with today's names; continued sweeps have both, each in its own rows."""
+    for old, new in OLD_NAMES.items():
+        if old in dataset and new in dataset:
+            whole = dataset[new].fillna(dataset[old]).assign_attrs(dataset[new].attrs)
+            dataset = dataset.drop_vars(old).assign({new: whole})
+        elif old in dataset:
+            dataset = dataset.rename({old: new})
+    return dataset
 
 
 def check_is_file(file: Path) -> None:

@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import math
-import sys
-import warnings
-from collections.abc import Sequence
 from copy import copy
 from typing import TYPE_CHECKING, Any
 
-from ehlwave.choices import WINDOWS, chosen
+from ehlwave.choices import FILM_BY, WINDOWS, chosen
+from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import Given
-from ehlwave.errors import ExtrapolationWarning, SurfaceError
+from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.laws.film_answer import with_film
+from ehlwave.laws.notices import warn
 from ehlwave.laws.transfer import Transfer
-from ehlwave.laws.transfer_choice import transfer_of
-from ehlwave.smooth_contact import conditions_with_film
 from ehlwave.surface.film_profile import second_conditions
 from ehlwave.surface.pair import DeformedPair
 from ehlwave.surface.predict import Cutoffs, Deformed, deform_surface
@@ -78,22 +76,22 @@ class Contact(WavyContact):
     Ad/Ai = 0.54 within 0.11
     """
 
-    def transfer(self, by: str = "atlas") -> Transfer:
-        """Return what gives the response of each component of a surface.
+    def transfer(self, by: str | None = None) -> Transfer:
+        """Return the transfer that gives the response of each component of a surface.
 
         Parameters
         ----------
-        by : {"atlas", "two-waves", "recommended", "paper"}
-            The atlas, or a law. Under slip the law of the two waves stands for the atlas where the
-            oil is not Ree-Eyring's. That of starved contacts stands for all of them where
-            ``oil_over_flooded`` is given; naming another one is an error then.
+        by : str, optional
+            A law's name: "atlas", "starved", "two-waves", "computed", "recommended" or "paper". By
+            default the first law that holds answers; where none does, the programs compute the
+            responses, if they are installed. "laws": nothing is computed.
 
         Raises
         ------
         RangeError
-            A ValueError: the contact lies outside the atlas.
+            A ValueError: no law holds, or not the law named.
         SurfaceError
-            If there is no such law, or that of the two waves were to judge a line contact.
+            If there is no such law.
 
         Examples
         --------
@@ -103,15 +101,16 @@ class Contact(WavyContact):
         >>> contact.transfer("paper").name
         'formula of Venner et al. (2000)'
         """
-        return transfer_of(self.conditions, by, self._own_atlas())
+        return self._transfer(None, by)
 
     def deform(
         self,
         surface: Surface | SurfaceSource,
-        by: str = "atlas",
+        by: str | None = None,
         form: Form = "plane",
         ends: Window = "mirror",
         cutoffs_m: Cutoffs = (None, None),
+        transfer: Transfer | None = None,
         **reading: Any,  # noqa: ANN401
     ) -> Deformed:
         """Predict the shape of a measured surface inside the contact, and the film over it.
@@ -120,19 +119,20 @@ class Contact(WavyContact):
         ----------
         surface : Surface, path, array or topography
             As :func:`ehlwave.read_surface` reads it; of an array give ``step``, in metres.
-        by : {"atlas", "two-waves", "recommended", "paper"}
-            What components are judged by. The film is the atlas' where the contact lies in it, with
-            heat that of :meth:`film`.
+        by : str, optional
+            Law that judges components, as in :meth:`transfer`. The film is the result of
+            :meth:`film`.
         form, ends, cutoffs_m
             See :func:`ehlwave.surface.deform_surface`; ``cutoffs_m`` is (lambda_c, lambda_s).
+        transfer : Transfer, optional
+            In place of a law of the list, such as :class:`ehlwave.surface.TableTransfer`.
         **reading
             Of :class:`ehlwave.surface.ReadOptions`, for what the surface does not say.
 
         Raises
         ------
         RangeError
-            A ValueError: the contact lies outside the atlas and `by` is ``"atlas"``, or outside the
-            laws of heat.
+            A ValueError: no law holds, or not the law named.
         SurfaceError
             If the surface cannot be used, or the contact was given without lengths.
 
@@ -156,8 +156,8 @@ class Contact(WavyContact):
         >>> print(f"Rq {before * 1e9:.0f} nm as measured, {after * 1e9:.0f} nm in the contact")
         Rq 35 nm as measured, 34 nm in the contact
         """
-        found = self._deformed(surface, by, form, ends, cutoffs_m, **reading)
-        _warn(found.doubts)
+        found = self._deformed(surface, by, form, ends, cutoffs_m, transfer, **reading)
+        warn(found.doubts)
         return found
 
     def deform_pair(
@@ -200,32 +200,66 @@ class Contact(WavyContact):
         >>> print(f"lambda ratio {pair.statistics.lambda_ratio_after:.0f}")
         lambda ratio 29
         """
-        other = copy(self)
-        other.conditions = second_conditions(self.conditions)
-        other.heat = None if self.heat is None else self.heat.exchanged()
+        other = self.exchanged()
         found = DeformedPair(self._deformed(surface, **options), other._deformed(second, **options))
-        _warn(found.doubts)
+        warn(found.doubts)
         return found
+
+    def exchanged(self) -> Contact:
+        """Return the same contact with the other body first, which moves with 2 - S.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10, radius_ratio_d=1,
+        ...     slip_parameter=1.1).exchanged()
+        Contact(M=100, L=10, D=1, S=0.9)
+        """
+        other = copy(self)
+        other._given = second_conditions(self._given)
+        other._heat = None if self.heat is None else self.heat.exchanged()
+        other._films, other._transfers = self._films, {}
+        return other
 
     def _deformed(
         self,
         surface: Surface | SurfaceSource,
-        by: str = "atlas",
+        by: str | None = None,
         form: Form = "plane",
         ends: Window = "mirror",
         cutoffs_m: Cutoffs = (None, None),
+        transfer: Transfer | None = None,
         **reading: Any,  # noqa: ANN401
     ) -> Deformed:
         """Return what :meth:`deform` does, and warn of nothing."""
-        if not math.isfinite(self.conditions.semi_axis_a_m):
+        if not math.isfinite(self._given.semi_axis_a_m):
             raise SurfaceError(
                 "Contact: a surface in metres needs semi_axis_a_m and radius_x_m besides M, L and D"
             )
         chosen(ends, "ends", WINDOWS)
         measured = read_surface(surface, ReadOptions(**reading))
-        transfer = self.transfer(by)
-        conditions = conditions_with_film(self, or_formula=by != "atlas")
-        return deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
+        film_by = by if by in FILM_BY else None
+        conditions, notices = self._filmed(film_by)
+        transfer = transfer or self._transfer(None, by)
+        found = deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
+        found.warnings.extend(notices)
+        return found
+
+    def _filmed(self, by: str | None) -> tuple[Conditions, list[str]]:
+        """Return conditions with their film and the warnings about it.
+
+        Where no law holds and nothing computes it, a formula stands in, with its error.
+        """
+        c = self._given
+        if c.has_given_film or c.metres_per_moes is None:
+            return c, []
+        try:
+            film = self._film(by)
+        except RangeError as error:
+            if self.heat is not None:
+                raise
+            return c, [f"the film is the result of a formula: {error}"]
+        return with_film(c, film), list(film.warnings)
 
     def stress(
         self,
@@ -316,18 +350,5 @@ class Contact(WavyContact):
 def contact_of(given: Given) -> Contact:
     """Return the contact of an input file, or of words of a command line."""
     contact = Contact(heat=given.heat, **given.keys)
-    contact.conditions = given.conditions
+    contact._given = given.conditions
     return contact
-
-
-def _warn(doubts: Sequence[str]) -> None:
-    for doubt in doubts:
-        warnings.warn(doubt, ExtrapolationWarning, stacklevel=_callers())
-
-
-def _callers() -> int:
-    """Return the stack level, for a warning, of the line outside this module that led here."""
-    level, frame = 1, sys._getframe(1)
-    while frame is not None and frame.f_globals.get("__name__") == __name__:
-        level, frame = level + 1, frame.f_back
-    return level

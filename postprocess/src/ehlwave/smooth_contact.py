@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ehlwave.choices import FILM_BY, chosen_or_none
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
@@ -14,12 +15,15 @@ from ehlwave.contact.data_sheet import Oil as DataSheetOil
 from ehlwave.contact.heat_data import Heat, heat_of
 from ehlwave.contact.two_bodies import contact_keys
 from ehlwave.errors import RangeError
+from ehlwave.inputs.slip import RATIO, SLIP
 from ehlwave.laws.answers import Film
-from ehlwave.laws.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
-from ehlwave.laws.atlas.chart import Chart
-from ehlwave.laws.atlas_transfer import with_atlas_film, with_heated_film
-from ehlwave.laws.film_answer import film_of
+from ehlwave.laws.asked import Asked
+from ehlwave.laws.atlas.atlas import Atlas, load_atlas
+from ehlwave.laws.film_answer import with_film
 from ehlwave.laws.heated_contact import check_heat
+from ehlwave.laws.law_list import film_for, transfer_for
+from ehlwave.laws.notices import warn
+from ehlwave.laws.transfer import Transfer
 from ehlwave.quantities import number
 from ehlwave.shown import html_table, within
 
@@ -41,15 +45,75 @@ class SmoothContact:
         **keys: Unpack[ContactKeys],
     ) -> None:
         """Check the keys and find M, L and D."""
-        self.conditions: Conditions = conditions_from_keys(keys, "Contact", needs_lengths=False)
+        self._keys = dict(keys)
+        self._given: Conditions = conditions_from_keys(keys, "Contact", needs_lengths=False)
         self._atlas = None if atlas is None else Path(atlas)
-        self._charts: dict[float, Chart] = {}
         stress = keys.get("eyring_stress_pa")
         self._eyring_stress_pa = None if stress is None else number(stress, "eyring_stress_pa")
         self._poisson_ratio: PoissonRatio | None = None
-        self.heat = heat
+        self._heat = heat
+        self._films: dict[str | None, Film] = {}
+        self._transfers: dict[tuple[float | None, str | None], Transfer] = {}
         if heat is not None:
-            check_heat(self.conditions, heat)
+            check_heat(self._given, heat)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        """Refuse changes: what was found for one contact would stand beside data of another."""
+        if not name.startswith("_"):
+            raise AttributeError(
+                f"Contact.{name} = {value!r}: a contact does not change; "
+                f"contact.replace({name}=...) returns another one"
+            )
+        super().__setattr__(name, value)
+
+    @property
+    def heat(self) -> Heat | None:
+        """Thermal data of oil and bodies; None: isothermal."""
+        return self._heat
+
+    @property
+    def conditions(self) -> Conditions:
+        """Operating conditions, with the central film that :meth:`film` returns.
+
+        Where no law holds the film is unknown, None, until :meth:`film` has computed it.
+        """
+        if self._given.has_given_film or self._given.metres_per_moes is None:
+            return self._given
+        known = self._films.get(None) or self._films.get("computed")
+        try:
+            return with_film(self._given, known or self._film("laws"))
+        except RangeError:
+            return replace(
+                self._given,
+                central_film_m=None,
+                film_source="no law holds: film() computes it",
+                central_film_error=None,
+            )
+
+    def replace(self, **changes: Any) -> Self:  # noqa: ANN401
+        """Return another contact, with some keys changed.
+
+        Parameters
+        ----------
+        **changes
+            Keys as of :class:`ehlwave.Contact`, ``heat`` or ``atlas``; None removes a key.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...     radius_ratio_d=1)
+        >>> contact.replace(load_parameter_m=200)
+        Contact(M=200, L=10, D=1, S=1)
+        """
+        own = {"heat": self._heat, "atlas": self._atlas, **self._keys}
+        if RATIO in changes:
+            own.pop(SLIP, None)
+        if SLIP in changes:
+            own.pop(RATIO, None)
+        found = type(self)(**{k: v for k, v in (own | changes).items() if v is not None})
+        found._poisson_ratio = self._poisson_ratio
+        return found
 
     @classmethod
     def from_bodies(
@@ -114,27 +178,27 @@ class SmoothContact:
         if heat is True:
             heat = heat_of(oil, (body1, body2))
         contact = cls(atlas=atlas, heat=None if heat is False else heat, **found)
-        contact.conditions = replace(contact.conditions, names=tuple(names))
+        contact._given = replace(contact._given, names=tuple(names))
         contact._poisson_ratio = body1.poisson_ratio, body2.poisson_ratio  # type: ignore[assignment]
         return contact
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the state for pickling, without what is found anew where it is needed."""
+        return vars(self) | {"_films": {}, "_transfers": {}}
+
     def __repr__(self) -> str:
         """Return M, L, D and S, of a starved contact r."""
-        c = self.conditions
+        c = self._given
         r = f", r={c.oil_over_flooded:g}" if c.is_starved else ""
         return f"Contact(M={c.m:.5g}, L={c.l:.5g}, D={c.d:.5g}, S={c.slip_parameter:g}{r})"
 
-    def __getstate__(self) -> dict[str, Any]:
-        """Return what is pickled: charts are looked up anew where they are needed."""
-        return vars(self) | {"_charts": {}}
-
     def _shown_rows(self) -> dict[str, str]:
         """Return conditions, and the film where the atlas has it."""
-        c = self.conditions
+        c = self._given
         rows = {"M, L, D, S": f"{c.m:.5g}, {c.l:.5g}, {c.d:.5g}, {c.slip_parameter:g}"}
         rows["oil"] = c.oil.name
         try:
-            film = self.film()
+            film = self._film("laws")
         except RangeError as error:
             return rows | {"film": str(error)}
         if film.central_m is not None:
@@ -161,34 +225,48 @@ class SmoothContact:
         >>> contact.atlas().kind.name
         'rolling'
         """
-        return atlas_for(self.conditions, self._own_atlas())
+        return self._asked().atlas()
 
     def _own_atlas(self) -> Atlas | None:
         return None if self._atlas is None else load_atlas(self._atlas)
 
-    def _chart(self, slip: float | None = None) -> Chart:
-        """Return the responses of the contact, with another slip parameter where one is given."""
-        own = self.conditions.slip_parameter if slip is None else slip
-        if own not in self._charts:
-            conditions = replace(self.conditions, slip_parameter=own)
-            self._charts[own] = chart_of(conditions, self._own_atlas())
-        return self._charts[own]
+    def _asked(self, slip: float | None = None) -> Asked:
+        """Return the contact as laws are asked about it, at another slip where one is given."""
+        c = self._given if slip is None else replace(self._given, slip_parameter=slip)
+        return Asked(c, self._heat, self._own_atlas(), self._eyring_stress_pa)
 
-    def film(self) -> Film:
-        """Return central and smallest film of the smooth contact, from the atlas.
+    def _transfer(self, slip: float | None, by: str | None) -> Transfer:
+        key = slip, by
+        if key not in self._transfers:
+            self._transfers[key] = transfer_for(self._asked(slip), by)
+        return self._transfers[key]
 
-        The central film of a starved contact is that of the atlas times R; the law knows no
-        smallest film.
+    def _film(self, by: str | None) -> Film:
+        if by not in self._films:
+            self._films[by] = film_for(self._asked(), by)
+        return self._films[by]
 
-        With heat films and friction are those with heat; `Film.heated` says what heat does.
+    def film(self, by: str | None = None) -> Film:
+        """Return central and smallest film of the smooth contact, and its friction.
 
-        A given film, ``central_film_m``, is that of the contact as it runs: it is returned as it
-        is.
+        The first law that holds answers: the atlas, with the laws of heat and of starved contacts.
+        Where none holds, ``ehlwave-case`` computes the contact, if it is installed. A given film,
+        ``central_film_m``, is returned as it is.
+
+        Parameters
+        ----------
+        by : {"laws", "computed"}, optional
+            "laws": nothing is computed; "computed": the program answers.
 
         Raises
         ------
         RangeError
-            A ValueError: the contact lies outside the atlas, or with heat outside its laws.
+            A ValueError: no law holds, and the program is not installed or not asked.
+
+        Warns
+        -----
+        ExtrapolationWarning
+            If the inlet warms and the contact has no heat data, or an error exceeds 30 %.
 
         Examples
         --------
@@ -199,20 +277,7 @@ class SmoothContact:
         >>> print(f"{film.central_m * 1e6:.2f} um within {film.central_error:.0%}")
         0.83 um within 1%
         """
-        return film_of(self.conditions, self._chart, self.heat, self._eyring_stress_pa)
-
-
-def conditions_with_film(contact: SmoothContact, *, or_formula: bool) -> Conditions:
-    """Return conditions with the film of the atlas, with heat that of :meth:`SmoothContact.film`.
-
-    Outside the atlas, without heat, the film is that of a formula where `or_formula`; otherwise
-    raises RangeError there, and outside the laws of heat.
-    """
-    if contact.heat is not None:
-        return with_heated_film(contact.conditions, contact.film())
-    try:
-        return with_atlas_film(contact.conditions, contact.atlas())
-    except RangeError:
-        if or_formula:
-            return contact.conditions
-        raise
+        chosen_or_none(by, "by", FILM_BY)
+        found = self._film(by)
+        warn(found.warnings)
+        return found

@@ -176,6 +176,9 @@ def traction(
         good = found["status"].isin(SETTLED).to_numpy()
         if not good.any():
             raise ProgramError(f"no case converged: {found['message'].iloc[0]}")
+        known = np.isfinite(found["friction_coefficient"].to_numpy(dtype=float)[good])
+        if not known.any() and each is runs[-1][1]:
+            raise ProgramError(_no_friction(found["warning"][good]))
         source = "isothermal_friction_coefficient" if has_heat else "friction_coefficient"
         table[cold] = np.where(good, found[source], np.nan)
         if has_heat and not good.all():
@@ -190,6 +193,17 @@ def traction(
     start = _without_heat(free, pd.DataFrame({RATIO: [SMALL_RATIO]}), ranks)
     table["regime"] = regimes(table, float(start[0]) / SMALL_RATIO)
     return Traction(table, limit)
+
+
+def _no_friction(warnings: "pd.Series[str]") -> str:
+    """Return why no case has a friction, with what the program says."""
+    said = next((str(text).split("; ")[0] for text in warnings if text), "")
+    return (
+        "friction is not known at any ratio"
+        + (f" ({said})" if said else "")
+        + ": give more cells, "
+        "or a flow law such as flow_law = 'eyring' with eyring_stress_pa"
+    )
 
 
 def _without_heat(keys: Mapping[str, Any], cases: pd.DataFrame, ranks: int) -> NDArray[np.float64]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from ehlwave.contact.line_contact import TRANSVERSE_ALONE
 from ehlwave.errors import RangeError
 from ehlwave.inputs.slip import slip_given
 from ehlwave.laws.answers import Response
@@ -28,8 +28,11 @@ class WavyContact(SmoothContact):
         angle_deg: float = 0.0,
         slip_parameter: float | None = None,
         slide_to_roll_ratio: float | None = None,
+        by: str | None = None,
     ) -> Response:
-        """Return the response at the contact centre to small waves, from the atlas.
+        """Return the response at the contact centre to small waves.
+
+        The list of laws chooses who answers, as for a surface: see :meth:`transfer`.
 
         Parameters
         ----------
@@ -39,20 +42,16 @@ class WavyContact(SmoothContact):
             Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal.
             Line contacts answer for 0 alone.
         slip_parameter : float, optional
-            S of the surface that carries the waves, 0 to 2; that of the contact if absent. Other
-            than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``. Outside that, for
-            a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a Newtonian one the
-            law of the two waves answers for S of 0.5 to 1.5 in the contacts of its fit, with an
-            error to match and without pressure (NaN); of line contacts the atlas alone answers.
-            Longitudinal waves stand still: the atlas of pure rolling answers. Starved contacts
-            roll; their law answers without phase and without pressure.
+            S of the surface that carries the waves, 0 to 2; by default S of the contact.
         slide_to_roll_ratio : float, optional
             In place of `slip_parameter`, S = 1 + ratio/2.
+        by : str, optional
+            As in :meth:`transfer`.
 
         Raises
         ------
         RangeError
-            A ValueError: the contact, the wave or the slip lies outside the atlas; nothing is
+            A ValueError: no law holds for the contact, the wave and the slip; nothing is
             extrapolated.
 
         Examples
@@ -73,11 +72,10 @@ class WavyContact(SmoothContact):
             raise RangeError(
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
             )
-        if slip_parameter is None:
-            slip_parameter = self.conditions.slip_parameter
-        conditions = replace(self.conditions, slip_parameter=slip_parameter)
-        wave = wavelength_over_a, angle_deg
-        return response_of(conditions, *wave, self._chart, self._own_atlas())
+        c = self._given
+        if c.is_line and angle_deg > 1e-9:
+            raise RangeError(TRANSVERSE_ALONE)
+        return response_of(self._transfer(slip_parameter, by), c, wavelength_over_a, angle_deg)
 
     def responses(
         self,
@@ -123,7 +121,7 @@ class WavyContact(SmoothContact):
         """
         waves, angles = wavelength_over_a, angle_deg
         slip_parameter = slip_given(slip_parameter, slide_to_roll_ratio, "responses")
-        return response_table(self.response, self.conditions, waves, angles, slip_parameter)
+        return response_table(self.response, self._given, waves, angles, slip_parameter)
 
     def plot(
         self,

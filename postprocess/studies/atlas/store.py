@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 
 from ehlwave.laws.atlas.committee import Committee
-from ehlwave.laws.atlas.stored import checksum
+from ehlwave.laws.atlas.stored import AS_STORED, checksum
 from ehlwave.writing import Writer
 
 PARTS = {
@@ -39,9 +39,9 @@ def variables_of(name: str, committee: Committee) -> dict[str, xr.Variable]:
 def write_atlas(data: xr.Dataset, path: Path) -> None:
     """Write an atlas as classic NetCDF, a third as large as HDF5, with its checksum."""
     written = xr.Dataset({name: _packed(data[name]) for name in data}, attrs=data.attrs)
-    for _ in range(2):  # the checksum is that of the values as they are read
+    for _ in range(2):  # the checksum is that of the numbers as they are stored
         data = bytes(written.to_netcdf(engine="scipy", format="NETCDF3_CLASSIC"))
-        with xr.open_dataset(io.BytesIO(data), engine="scipy") as opened:
+        with xr.open_dataset(io.BytesIO(data), engine="scipy", **AS_STORED) as opened:
             written.attrs["checksum"] = checksum(opened.load())
     Writer().data(path, data)
 

@@ -35,6 +35,7 @@ def many_ranks(options: argparse.Namespace) -> int:
     option("--cases", "N", "of the sweep (default 2500)"),
     option("--disturbances", "COUNT", "default 60"),
     option("--faults", "COUNT", "default 60"),
+    option("--bad-days", "COUNT", "of each mode (default 20)"),
     option("--ranks", "N", "default 4"),
     option("--seed", "COUNT", "of the random numbers"),
     option("--folder", "DIR", "where the sweeps run; default: the temporary folder"),
@@ -51,9 +52,10 @@ def torture(options: argparse.Namespace) -> int:
     after each, the store must be readable and hold at least what it held; at the end every case
     must be there once, equal bit for bit to an undisturbed run. Takes about 10 minutes on 2 cores.
     The small disk wants root. Then as many runs in each of which a call of the system (open, read,
-    write, fsync, rename, unlink, mkdir) fails once, for a while or for ever. The last line counts
-    signals, faults, and what was lost, doubled, different, hung or crashed.
-    Needs a build (scripts/build release).
+    write, fsync, rename, unlink, mkdir) fails once, for a while or for ever. Then bad days of each
+    mode: the launcher is killed under scripts/run-sweep, the file system refuses locks, another
+    program holds the results open. The last line counts signals, faults, days, and what was lost,
+    doubled, different, hung or crashed. Needs a build (scripts/build release).
 
     Exit status: 0 passed.
     """
@@ -64,8 +66,8 @@ def torture(options: argparse.Namespace) -> int:
     os.environ.setdefault("EHLWAVE_SWEEP", str(steps.DRIVERS / "ehlwave-sweep"))
     os.environ.setdefault("EHLWAVE_MPIEXEC", "mpirun")
     os.environ.setdefault("EHLWAVE_FAULTS", str(built / "tests" / "faults.so"))
-    names = ("cases", "disturbances", "faults", "ranks", "seed", "folder", "responses", "marches")
-    words = given(options, *names)
+    names = ("cases", "disturbances", "faults", "bad-days", "ranks", "seed", "folder")
+    words = given(options, *names, "responses", "marches")
     return _support("growth.py" if options.growth else "torture.py", *words)
 
 

@@ -83,8 +83,8 @@ def read_solved(folder: Path, run: Run) -> Solved:
     return Solved(
         run=run,
         result=result,
-        a_um=float(fields["length_a_m"]) * 1e6,
-        c_um=float(fields["length_c_m"]) * 1e6,
+        a_um=float(fields["semi_axis_a_m"]) * 1e6,
+        c_um=float(fields["hertz_approach_c_m"]) * 1e6,
         hertz_pressure_pa=float(fields["hertz_pressure_pa"]),
         x=fields["x"].values,
         y=fields["y"].values,

@@ -14,7 +14,7 @@ import lmfit
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.surface.text_table import read_text_table
+from ehlwave.surface.files.text_table import read_text_table
 
 Floats = NDArray[np.float64]
 

@@ -119,8 +119,8 @@ def _lines(folder: Path, name: str, groups: Groups, grids: Sequence[Grid]) -> li
         middle = int(np.argmin(np.abs(fields["y"].values)))
         lines.append(
             Line(
-                fields["x"].values * float(fields["length_a_m"]) * 1e6,
-                fields["film"].values[middle] * float(fields["length_c_m"]) * 1e9,
+                fields["x"].values * float(fields["semi_axis_a_m"]) * 1e6,
+                fields["film"].values[middle] * float(fields["hertz_approach_c_m"]) * 1e9,
                 fields["pressure"].values[middle] * float(fields["hertz_pressure_pa"]) * 1e-6,
             )
         )

@@ -9,12 +9,13 @@ import panel as pn
 
 from ehlwave.app import saving, shown
 from ehlwave.app.contact_form import ContactForm
+from ehlwave.app.element_tabs import with_elements
 from ehlwave.app.style import OUTPUT, TEMPLATE
 from ehlwave.app.surface_form import SurfaceForm, task_of
 from ehlwave.app.task import Answer, Task, answered
 from ehlwave.app.widgets import CARD, column
-from ehlwave.app.work import Pools
-from ehlwave.errors import ResultsError, printable
+from ehlwave.app.work import LONGEST_S, Pools
+from ehlwave.errors import ResultsError, SurfaceError, printable
 
 _LOG = logging.getLogger("ehlwave.app")
 TITLE = "ehlwave"
@@ -63,12 +64,12 @@ class Page:
         """Return the page, ready to be served."""
         page = pn.Template(TEMPLATE)
         page.add_variable("app_title", TITLE)
-        page.add_panel(
-            "inputs", column(self.contact.view, self.surface.view, pn.Row(self.button, **AT_BOTTOM))
-        )
+        own = column(self.contact.view, self.surface.view, pn.Row(self.button, **AT_BOTTOM))
         early = (self.first, self.warnings, self.saving, self.figures)
         late = (self.doubts, self.numbers, self.details)
-        page.add_panel("answers", column(*early, *late))
+        inputs, answers = with_elements(own, column(*early, *late), self._pools)
+        page.add_panel("inputs", inputs)
+        page.add_panel("answers", answers)
         return page
 
     async def _compute(self, _: Any) -> None:  # noqa: ANN401
@@ -91,14 +92,20 @@ class Page:
 
     async def _worked(self, task: Task) -> Answer:
         size = 0 if task.upload is None else len(task.upload.data)
-        loop = asyncio.get_running_loop()
-        return await loop.run_in_executor(self._pools.of(size), answered, task)
+        waiting = self._pools.of(size).submit(answered, task)
+        try:
+            return await asyncio.wait_for(asyncio.wrap_future(waiting), LONGEST_S)
+        except (TimeoutError, asyncio.TimeoutError):  # two types before Python 3.11
+            raise SurfaceError(
+                f"no answer within {LONGEST_S:.0f} s: cut the surface, or use the command, ehlwave "
+                "deform"
+            ) from None
 
     def _show(self, answer: Answer) -> None:
         self._answer = answer
         found = answer.found
         self.first.object = f"<p class='answer' role='status'>{shown.headline(answer)}</p>"
-        self.warnings.object = "" if found is None else shown.warnings_of(found)
+        self.warnings.object = shown.warnings_of(answer)
         self.figures.object = shown.pictures(answer)
         self.doubts.object = "" if found is None else shown.doubts(found)
         self.numbers.object = shown.numbers(answer)

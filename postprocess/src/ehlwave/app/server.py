@@ -10,13 +10,16 @@ from bokeh.server.server import Server
 from panel.io.resources import LOCAL_DIST
 from tornado.web import RequestHandler
 
+from ehlwave.app.doors import BUSY, guard
 from ehlwave.app.page import TITLE, Page
 from ehlwave.app.task import silence_extrapolation
 from ehlwave.app.uploads import LARGEST_MB
 from ehlwave.app.work import Pools
 from ehlwave.errors import ResultsError
 
-MOST_SESSIONS = 100
+MOST_SESSIONS = 40
+"""Browsers at once; a session with its socket holds about 9 MB."""
+
 MESSAGE_BYTES = 4 * 2**20
 """Largest message of a browser; files come in smaller parts."""
 
@@ -77,7 +80,7 @@ def make_server(address: str, port: int, hosts: Sequence[str], pools: Pools) -> 
 
     def page() -> pn.viewable.Viewable | pn.Template:
         if len(sessions) >= MOST_SESSIONS:
-            return pn.pane.HTML("<p>The server is busy: try again in a minute.</p>")
+            return pn.pane.HTML(f"<p>{BUSY}</p>")
         document = pn.state.curdoc
         session = document.session_context.id
         sessions.add(session)
@@ -105,6 +108,7 @@ def make_server(address: str, port: int, hosts: Sequence[str], pools: Pools) -> 
         ) from error
     # Looked at before all others: the servers of Panel know more paths than the page needs.
     server._tornado.add_handlers(".*", [(rf"(?!(?:{SERVED})$)(.*)|(.*\.\..*)", _Refused)])
+    guard(server._tornado, {name.lower() for name in names}, lambda: len(sessions) >= MOST_SESSIONS)
     return server
 
 

@@ -63,6 +63,8 @@ def rows(part: Any) -> Iterable[tuple[str, str]]:  # noqa: ANN401 - any dataclas
     """Yield name and value, with unit, of every field that is known."""
     for one in fields(part):
         value = getattr(part, one.name)
+        if one.name == "warnings":
+            continue  # they stand above the tables
         if isinstance(value, Mapping):
             yield from ((f"{_words(one.name)}: {key}", _share(v)) for key, v in value.items())
         elif value is not None and not is_dataclass(value):
@@ -92,9 +94,9 @@ def doubts(found: Deformed) -> str:
     return f"<h3>Not judged</h3><ul>{judged}</ul>"
 
 
-def warnings_of(found: Deformed) -> str:
-    """Return what makes the prediction doubtful."""
-    return "".join(f"<p class='note'>Warning: {escape(line)}</p>" for line in found.warnings)
+def warnings_of(answer: Answer) -> str:
+    """Return the warnings about film and surface."""
+    return "".join(f"<p class='note'>Warning: {escape(line)}</p>" for line in answer.warnings)
 
 
 def report(found: Deformed) -> str:

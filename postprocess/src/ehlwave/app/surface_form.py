@@ -8,11 +8,23 @@ from ehlwave.app import quantities as q
 from ehlwave.app.contact_form import ContactForm
 from ehlwave.app.task import Task
 from ehlwave.app.uploads import LARGEST_MB
-from ehlwave.app.widgets import CARD, FileField, NumberField, in_rows, section, select, widgets_of
+from ehlwave.app.widgets import (
+    CARD,
+    FileField,
+    NumberField,
+    in_rows,
+    section,
+    select,
+    text_field,
+    widgets_of,
+)
 from ehlwave.choices import DECIMALS, FORMS, WINDOWS
 from ehlwave.errors import SurfaceError
 
 TRANSFERS = {
+    "First law that holds, else computed": None,
+    "Laws alone, nothing computed": "laws",
+    "Computed": "computed",
     "Atlas of computed responses": "atlas",
     "Law of the two waves": "two-waves",
     "Recommended formula": "recommended",
@@ -38,9 +50,10 @@ class SurfaceForm:
         self.missing = select("Missing heights", {"refused": False, "filled": True})
         self.step = NumberField(q.STEP)
         self.cutoffs = [NumberField(one) for one in q.CUTOFFS]
+        self.channel = text_field("Channel of heights", AS_FILE)
         numbers = [one.view for one in (self.step, *self.cutoffs)]
         more = pn.Card(
-            in_rows([self.by, self.ends, self.decimal, self.missing, *numbers]),
+            in_rows([self.by, self.ends, self.decimal, self.missing, self.channel, *numbers]),
             title="More about the surface",
             collapsed=True,
             sizing_mode="stretch_width",
@@ -63,6 +76,7 @@ class SurfaceForm:
             "rolling_axis": None if self.axis.value == "x" else "y",
             "decimal": self.decimal.value,
             "fill_missing": self.missing.value or None,
+            "channel": self.channel.value.strip() or None,
             **_numbers(self.step),
         }
         return {key: value for key, value in said.items() if value not in (None, AS_FILE)}
@@ -81,7 +95,7 @@ class SurfaceForm:
     def widgets(self) -> list[Any]:
         """Return what a user changes."""
         chosen = [self.length, self.height, self.axis, self.form, self.ends, self.by]
-        chosen += [self.decimal, self.missing, self.file]
+        chosen += [self.decimal, self.missing, self.channel, self.file]
         return [*chosen, *widgets_of([self.step, *self.cutoffs])]
 
 

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 from ehlwave.app.contacts import Given, made
 from ehlwave.app.uploads import Upload, read_upload
+from ehlwave.choices import FILM_BY
 from ehlwave.errors import ExtrapolationWarning, RangeError
 from ehlwave.laws.answers import Film
 from ehlwave.operating_point import Contact
@@ -65,6 +66,13 @@ class Answer:
     found: Deformed | None
     pictures: Mapping[str, bytes]
 
+    @property
+    def warnings(self) -> list[str]:
+        """Doubts about the numbers, those of the film first."""
+        of_film = [] if self.film is None else self.film.warnings
+        of_surface = [] if self.found is None else self.found.warnings
+        return list(dict.fromkeys([*of_film, *of_surface]))
+
 
 def answered(task: Task) -> Answer:
     """Return the answer.
@@ -80,8 +88,9 @@ def answered(task: Task) -> Answer:
         found = contact.deform(surface, **task.options)
         pictures["Surface before and in the contact"] = _png(deformed_figure, found)
         pictures["Spectrum"] = _png(spectrum_figure, found)
+    by = task.options.get("by")
     try:
-        film = contact.film()
+        film = contact.film(by if by in FILM_BY else None)
     except RangeError as error:
         if found is None:
             raise

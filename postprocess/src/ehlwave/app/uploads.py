@@ -5,6 +5,8 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
+import h5py
+
 from ehlwave.errors import ResultsError, SurfaceError, printable
 from ehlwave.hdf5 import opened
 from ehlwave.surface.read import ReadOptions, read_surface
@@ -75,7 +77,7 @@ def _refuse_unpacked(path: Path) -> None:
     if zipfile.is_zipfile(path):
         with zipfile.ZipFile(path) as archive:
             size = sum(entry.file_size for entry in archive.infolist())
-    elif path.suffix.lower() in (".h5", ".hdf5", ".nc"):
+    elif h5py.is_hdf5(path):
         with opened(path) as inside:
             size = sum(item.nbytes for item in inside.values() if hasattr(item, "nbytes"))
     if size > UNPACKED_MB * 10**6:

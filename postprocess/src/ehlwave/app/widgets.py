@@ -124,6 +124,19 @@ def select(label: str, options: Any) -> pn.widgets.Select:  # noqa: ANN401 - lis
     )
 
 
+def text_field(label: str, hint: str) -> pn.widgets.TextInput:
+    """Return a field for a word; `hint` stands in it while it is empty."""
+    return pn.widgets.TextInput(
+        name=label,
+        placeholder=hint,
+        sizing_mode="stretch_width",
+        min_width=80,
+        stylesheets=_TIGHT,
+        styles=HALF,
+        margin=(2, 6, 2, 4),
+    )
+
+
 def in_rows(views: Iterable[Any], length: int = 2, **options: Any) -> pn.Column:  # noqa: ANN401
     """Return views in rows of so many, all as wide."""
     every = list(views)

@@ -6,6 +6,9 @@ from concurrent.futures import ThreadPoolExecutor
 SMALL_BYTES = 2**20
 """A file above this is large."""
 
+LONGEST_S = 120.0
+"""Until a page gives an answer up, seconds; the wait for a free thread counts."""
+
 
 class Pools:
     """The threads of a server."""

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from ehlwave.cli.app import add_app_command
 from ehlwave.cli.arguments.cache import add_cache_command
 from ehlwave.cli.arguments.deform import add_deform_commands
+from ehlwave.cli.arguments.elements import add_element_commands
 from ehlwave.cli.arguments.replenish import add_replenish_command
 from ehlwave.cli.arguments.results import add_results_commands
 from ehlwave.cli.arguments.stress import add_stress_command
@@ -62,7 +63,8 @@ def command_parser() -> argparse.ArgumentParser:
     """Return the parser of all commands; needs the standard library alone."""
     parser = Parser(
         prog="ehlwave",
-        description="Figures, fits and tables from ehlwave-sweep results; deformed surfaces.",
+        description="Figures, fits and tables from ehlwave-sweep results; deformed surfaces; "
+        "bearings, gears and cams.",
     )
     parser.add_argument("--version", action=_Version, nargs=0, help="version of this package")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
@@ -72,6 +74,7 @@ def command_parser() -> argparse.ArgumentParser:
     add_replenish_command(commands)
     add_traction_command(commands)
     add_cache_command(commands)
+    add_element_commands(commands)
     add_app_command(commands)
     return parser
 

@@ -1,26 +1,22 @@
 """``ehlwave deform`` and ``ehlwave surface``: what they do."""
 
 import argparse
-import contextlib
 import json
 import sys
+import warnings
 from dataclasses import asdict, fields
 from pathlib import Path
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import read_given
-from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.laws.atlas_transfer import AtlasTransfer
-from ehlwave.laws.starved_transfer import StarvedTransfer
+from ehlwave.errors import ExtrapolationWarning, SurfaceError
+from ehlwave.laws.law_list import others_of
 from ehlwave.laws.table import TableTransfer
 from ehlwave.laws.table_read import read_table
-from ehlwave.laws.transfer import FormulaTransfer, RecommendedTransfer, Transfer
-from ehlwave.laws.two_wave_transfer import TwoWaveTransfer
-from ehlwave.operating_point import contact_of
+from ehlwave.laws.transfer import FormulaTransfer, Transfer
+from ehlwave.operating_point import Contact, contact_of
 from ehlwave.results.coefficients import read_coefficients
-from ehlwave.smooth_contact import conditions_with_film
 from ehlwave.surface.answer import answer_of_two
-from ehlwave.surface.film_profile import second_conditions
 from ehlwave.surface.pair import DeformedPair
 from ehlwave.surface.period import cut_period
 from ehlwave.surface.predict import Deformed, deform_surface
@@ -51,12 +47,12 @@ def read_options(options: argparse.Namespace) -> ReadOptions:
 def run_deform(options: argparse.Namespace) -> None:
     """Predict the shape of a surface, or two, inside the contact; print and write it."""
     given = read_given(options.conditions)
-    conditions = conditions_with_film(contact_of(given), or_formula=True)
-    results = [_predicted(options, options.surface, conditions)]
+    contact = contact_of(given)
+    results = [_predicted(options, options.surface, contact)]
     results[0].warnings.extend(given.notices)
     pair = None
     if options.second is not None:
-        results.append(_predicted(options, options.second, second_conditions(conditions)))
+        results.append(_predicted(options, options.second, contact.exchanged()))
         pair = DeformedPair(*results)
     print(_json_text(results, pair) if options.json else _text(results, pair, options))
     if options.output is not None:
@@ -69,11 +65,17 @@ def run_deform(options: argparse.Namespace) -> None:
         print("\n".join(str(path) for path in written), file=listing)
 
 
-def _predicted(options: argparse.Namespace, path: Path, conditions: Conditions) -> Deformed:
-    transfer = _transfer(options, conditions)
-    surface = read_surface(path, read_options(options))
-    cutoffs = _metres(options.cutoff), _metres(options.short_cutoff)
-    return deform_surface(surface, conditions, transfer, options.form, options.ends, cutoffs)
+def _predicted(options: argparse.Namespace, path: Path, contact: Contact) -> Deformed:
+    with warnings.catch_warnings():  # the report prints them
+        warnings.simplefilter("ignore", ExtrapolationWarning)
+        return contact.deform(
+            read_surface(path, read_options(options)),
+            options.by,
+            options.form,
+            options.ends,
+            (_metres(options.cutoff), _metres(options.short_cutoff)),
+            _transfer(options, contact.conditions),
+        )
 
 
 def _metres(length_um: float | None) -> float | None:
@@ -121,6 +123,7 @@ def _write(result: Deformed, folder: Path, writer: Writer) -> list[Path]:
 def run_surface(options: argparse.Namespace) -> None:
     """Write a surface for the full simulation."""
     surface, form = read_surface(options.surface, read_options(options)), options.form
+    print("".join(f"{surface.name}: {note}\n" for note in surface.notes), end="")
     start = options.period_start
     if options.period is not None:
         start_m = None if start is None else start * 1e-6
@@ -135,51 +138,24 @@ def run_surface(options: argparse.Namespace) -> None:
     print(f"{options.output}: {nx} x {ny} points, {(nx - 1) * prepared.step_x_m * 1e6:.5g} um long")
 
 
-def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
+def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer | None:
+    """Return the transfer of a file that the user names; None: the list of laws has it."""
     if options.table is not None:
         return TableTransfer(conditions, read_table(options.table), options.table.name)
+    if options.refit is None:
+        return None
     if conditions.is_starved:
-        if options.refit is not None or options.formula is not None:
-            raise SurfaceError(
-                "--formula and --refit are for flooded contacts, and oil_over_flooded is given: "
-                "leave them out (the law of starved contacts), or give a --table of this much oil"
-            )
-        return StarvedTransfer(conditions)
-    if options.refit is not None:
-        c1, c2 = read_coefficients(options.refit)
-        name = (
-            f"{FormulaTransfer.name} with c1 = {c1:.4g} and c2 = {c2:.4g} of {options.refit.name}"
-        )
-        return FormulaTransfer(conditions, c1, c2, name)
-    if options.formula == "recommended":
-        return RecommendedTransfer(conditions)
-    if options.formula == "paper":
-        return FormulaTransfer(conditions)
-    if options.formula == "two-waves" or not conditions.has_atlas:
-        return TwoWaveTransfer(conditions)
-    try:
-        return AtlasTransfer(conditions)
-    except RangeError as error:
-        name = "recommended" if conditions.slip_parameter == 1 else "two-waves"
-        raise SurfaceError(f"{error}. A formula is used when named: --formula {name}") from error
+        raise SurfaceError("--refit is for flooded contacts, and oil_over_flooded is given")
+    return FormulaTransfer(conditions, *read_coefficients(options.refit), options.refit.name)
 
 
 def _others(result: Deformed, options: argparse.Namespace) -> list[Deformed]:
-    """Return what else can judge the components, for comparison."""
+    """Return the same surface by the other laws, for comparison."""
     conditions = result.conditions
     if result.height.size > MOST_COMPARED:
         return []
-    if conditions.is_starved:
-        return []
-    every: list[Transfer] = (
-        [RecommendedTransfer(conditions), FormulaTransfer(conditions)]
-        if conditions.slip_parameter == 1
-        else [TwoWaveTransfer(conditions)]
-    )
-    with contextlib.suppress(RangeError):
-        every.insert(0, AtlasTransfer(conditions))
     return [
         deform_surface(result.surface, conditions, other, "none", options.ends)
-        for other in every
+        for other in others_of(conditions)
         if other.name != result.transfer_name
     ]

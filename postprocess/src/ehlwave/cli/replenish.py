@@ -14,7 +14,9 @@ import pandas as pd
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.errors import RangeError
-from ehlwave.laws.atlas_transfer import with_atlas_film
+from ehlwave.laws.asked import Asked
+from ehlwave.laws.film_answer import with_film
+from ehlwave.laws.law_list import film_for
 from ehlwave.laws.replenishment import Track, replenish
 from ehlwave.writing import Writer
 
@@ -33,7 +35,7 @@ def run_replenish(options: argparse.Namespace) -> None:
         print(f"ehlwave: note: {notice.message}", file=sys.stderr)
     Track(conditions, options.track_length)
     with contextlib.suppress(RangeError):  # the film of the formula stays, and the text says so
-        conditions = with_atlas_film(conditions)
+        conditions = with_film(conditions, film_for(Asked(conditions), "laws"))
     table = replenish(conditions, options.track_length, options.overrollings)
     document = summary(table, conditions, options.track_length)
     print(json.dumps(document, indent=2) if options.json else text_of(table, document))

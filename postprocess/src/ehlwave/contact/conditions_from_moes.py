@@ -28,8 +28,8 @@ from ehlwave.contact.scales import (
     moes_per_film,
     pressure_factor,
 )
-from ehlwave.contact.starvation import FILM_BAR, OIL_OVER_FLOODED, UNDER_SLIP, film_over_flooded
-from ehlwave.errors import SurfaceError
+from ehlwave.contact.starvation import FILM_BAR, OIL_OVER_FLOODED, film_over_flooded
+from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.inputs.slip import SLIP
 
 
@@ -55,7 +55,7 @@ def conditions_from_moes(
         k, e = first_integral(kappa), float(ellipe(1 - kappa**2))  # E = 1 of a line contact
         approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
         metres_per_moes = approach / moes_per_film(m, kappa)
-        if film_m is None:
+        if film_m is None and math.isfinite(ratio):
             film_m = moes_film(m, l, d) * metres_per_moes * ratio
             source, error = (FIT_TEXT, FIT_ERROR) if d > 0 else (LINE_FIT_TEXT, LINE_FIT_ERROR)
             error += oil_error + starved
@@ -96,19 +96,17 @@ def _with_loss(found: Conditions) -> Conditions:
 
 
 def _film_ratio(values: Mapping[str, float], m: float, l: float, d: float, place: str) -> float:  # noqa: E741
-    """Return R of a starved contact, 1 of a flooded one."""
+    """Return R of a starved contact, 1 of a flooded one; NaN where its law does not hold."""
     if OIL_OVER_FLOODED not in values:
         return 1.0
-    if values.get(SLIP, 1.0) != 1:
-        raise SurfaceError(f"{place}: {UNDER_SLIP}")
-    if d == 0:
-        raise SurfaceError(
-            f"{place}: {OIL_OVER_FLOODED} of a line contact: the law of starved contacts was "
-            "fitted to elliptical ones, D of 0.1 to 1: compute it with ehlwave-case"
-        )
     if "central_film_m" in values:
         raise SurfaceError(
             f"{place}: gives both {OIL_OVER_FLOODED} and central_film_m: a given film is that of "
             "the contact as it runs: remove one"
         )
-    return float(film_over_flooded(values[OIL_OVER_FLOODED], m, l, d))
+    if values.get(SLIP, 1.0) != 1 or d == 0:
+        return math.nan
+    try:
+        return float(film_over_flooded(values[OIL_OVER_FLOODED], m, l, d))
+    except RangeError:
+        return math.nan

@@ -175,7 +175,7 @@ class CaseKeys(TypedDict, total=False):
     y_max: SupportsFloat
     """Y of the side boundary"""
     cells_x: SupportsIndex
-    """cells along X over the whole domain; even, best if they can be halved several times"""
+    """cells along X over the whole domain"""
     cells_y: SupportsIndex
     """cells along Y over the whole domain; as cells_x"""
     largest_cells: SupportsIndex

@@ -39,6 +39,8 @@ class Film:
     heated : Heated or None
         Of a contact with heat: by how much heat thins the film, friction with and without heat,
         rises of the temperature.
+    warnings : tuple of str
+        Doubts about the numbers: large errors, a warm inlet without heat data.
 
     Examples
     --------
@@ -59,6 +61,7 @@ class Film:
     friction_error: float | None
     source: str
     heated: Heated | None = None
+    warnings: tuple[str, ...] = ()
 
     def _repr_html_(self) -> str:
         rows = {}

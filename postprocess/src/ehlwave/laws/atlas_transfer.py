@@ -12,7 +12,6 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.formula import recommended_ratio
 from ehlwave.contact.line_contact import ROLLS_ALONE
 from ehlwave.errors import RangeError
-from ehlwave.laws.answers import Film
 from ehlwave.laws.atlas.atlas import Atlas, atlas_for, chart_of
 from ehlwave.laws.atlas.chart import Chart
 from ehlwave.laws.atlas.ranges import WAVE_RANGE
@@ -101,6 +100,12 @@ class AtlasTransfer:
     def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
         """Return the error of the transfer, absolute, in units of the amplitude before."""
         return self._find(per_length_x, per_length_y).error
+
+    def pressure(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
+        """Return the pressure over Ai in units of ph/c, for waves within the atlas."""
+        wave, angle, shape = self._polar(per_length_x, per_length_y)
+        found: Complex = self._chart.responses(wave, angle).pressure.reshape(shape)
+        return found
 
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
         """Return what waves add to the mean film, to second order.
@@ -247,18 +252,6 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
         central_film_m=film.central_moes * conditions.metres_per_moes * conditions.film_ratio,
         film_source=source,
         central_film_error=error,
-    )
-
-
-def with_heated_film(conditions: Conditions, film: Film) -> Conditions:
-    """Return conditions with a film with heat, :meth:`ehlwave.Contact.film`; a given one stays."""
-    if _keeps_film(conditions):
-        return conditions
-    return replace(
-        conditions,
-        central_film_m=film.central_m,
-        film_source=f"atlas times the laws of heat, within {100 * film.central_error:.2g} %",
-        central_film_error=film.central_error,
     )
 
 

@@ -164,6 +164,7 @@ def _heated(
         inlet_factor=factor,
         minimum_factor=None,
         film_error=_central_error(found) + by_data,
+        minimum_error=math.nan,
         friction=friction,
         friction_error=friction_error,
         isothermal_friction=None if friction is None or cold is None else abs(float(cold)),

@@ -6,12 +6,14 @@ from dataclasses import replace
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
+from ehlwave.errors import RangeError
 from ehlwave.laws.answers import Film, given_film
 from ehlwave.laws.atlas.chart import Chart
 from ehlwave.laws.friction_range import friction_outside, slight_slip_error
 from ehlwave.laws.heat_laws import Heated
 from ehlwave.laws.heated_contact import heated
 from ehlwave.laws.isothermal_friction import isothermal_error_by_data
+from ehlwave.laws.starved_transfer import check_starved
 
 
 def film_of(
@@ -35,6 +37,10 @@ def film_of(
     """
     if c.has_given_film:
         return given_film(c)
+    if c.is_starved:
+        check_starved(c)
+        if heat is not None:
+            raise RangeError("no law has both heat and oil_over_flooded")
     # The laws of heat were fitted to films of lines that roll, with their error by thinning.
     rolls = c.is_line and heat is not None
     slip = 1.0 if rolls else c.film_slip
@@ -51,6 +57,7 @@ def film_of(
         own += friction_outside(c, film.central_moes, film.stress, modulus_pa)
         friction_error = (1 + own) * (1 + by_data) - 1
     scale, more = c.metres_per_moes, thinned + c.oil_error
+    minimum_more = more
     central, source = film.central_moes * c.film_ratio, chart.film_source
     by_heat: Heated | None = None
     minimum = film.minimum_moes if not c.is_starved else math.nan
@@ -61,11 +68,13 @@ def film_of(
         source = f"{source}, times the laws of heat"
         minimum *= math.nan if by_heat.minimum_factor is None else by_heat.minimum_factor
         more += by_heat.film_error
+        minimum_more += by_heat.minimum_error
         friction = by_heat.friction
         film_error = film.central_error + thinned + by_heat.film_error
         shear = by_heat.friction_error
         friction_error = None if shear is None else shear + film_error
         central *= by_heat.film_factor
+        minimum = min(minimum, central) if math.isfinite(minimum) else minimum
     if c.is_starved:
         source += f", times R = {c.film_ratio:.3g} of the law of starved contacts"
     knows_minimum = math.isfinite(minimum)
@@ -75,9 +84,21 @@ def film_of(
         central_moes=central,
         minimum_moes=minimum,
         central_error=film.central_error + more + c.starvation_error,
-        minimum_error=film.minimum_error + more if knows_minimum else math.nan,
+        minimum_error=film.minimum_error + minimum_more if knows_minimum else math.nan,
         friction=friction,
         friction_error=friction_error,
         source=source,
         heated=by_heat,
+    )
+
+
+def with_film(conditions: Conditions, film: Film) -> Conditions:
+    """Return conditions whose central film is the answer of a law; a given film stays."""
+    if conditions.has_given_film or conditions.metres_per_moes is None:
+        return conditions
+    return replace(
+        conditions,
+        central_film_m=film.central_m,
+        film_source=f"{film.source}, within {100 * film.central_error:.2g} %",
+        central_film_error=film.central_error,
     )

@@ -47,11 +47,6 @@ def check_heat(conditions: Conditions, heat: Heat) -> None:
         raise SurfaceError(
             "Contact: heat needs dimensional conditions (viscosity_pa_s, ...), not M, L and D"
         )
-    if conditions.is_starved:
-        raise SurfaceError(
-            "Contact: gives heat and oil_over_flooded: no law knows both: remove one, or compute "
-            "the contact with ehlwave-case"
-        )
 
 
 def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float | None) -> None:

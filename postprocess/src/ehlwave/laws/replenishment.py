@@ -19,6 +19,7 @@ from ehlwave.contact.formula import power_ratio
 from ehlwave.contact.oils import DENSITY_LIMIT, DENSITY_PA, Oil, log_viscosity
 from ehlwave.contact.starvation import FILM_RANGES, film_sharpness
 from ehlwave.errors import SurfaceError
+from ehlwave.laws.starved_transfer import check_starved
 
 Floats = NDArray[np.float64]
 
@@ -49,6 +50,7 @@ class Track:
         c = self.conditions
         if not c.is_starved:
             raise SurfaceError("oil_over_flooded is missing: say how much oil there is at first")
+        check_starved(c)
         if "viscosity_pa_s" not in dict(c.given) or c.central_film_m is None:
             raise SurfaceError(
                 "films over time need dimensional conditions (viscosity_pa_s, ...), not M, L and D"

@@ -1,117 +1,53 @@
-"""Response of a contact to one wave: by the atlas, or by a law."""
-
-import cmath
-import math
-from collections.abc import Callable
-from dataclasses import replace
+"""Response of a contact to one wave: a surface of one component."""
 
 import numpy as np
 
 from ehlwave.contact.conditions import Conditions
-from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
-from ehlwave.contact.starvation import WAVES_TEXT, is_fitted
-from ehlwave.contact.two_waves import SLIP_ERRORS, two_waves
 from ehlwave.errors import RangeError
-from ehlwave.hints import see
-from ehlwave.inputs.slip import RATIO, ratio_of
 from ehlwave.laws.answers import Response
-from ehlwave.laws.atlas.atlas import Atlas, atlas_for
-from ehlwave.laws.atlas.chart import Chart
-from ehlwave.laws.atlas.coordinates import wave_components
-from ehlwave.laws.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
-from ehlwave.laws.atlas_transfer import with_atlas_film
-from ehlwave.laws.starved_transfer import StarvedTransfer
-from ehlwave.laws.two_wave_transfer import TwoWaveTransfer
-
-SLIPS = SLIDING_RANGES["slip_parameter"]
-"""Slip parameters that the law of the two waves answers for in :meth:`Contact.response`."""
+from ehlwave.laws.standing_waves import answer_of
+from ehlwave.laws.transfer import Transfer, Waves
 
 
 def response_of(
-    conditions: Conditions,
-    wavelength_over_a: float,
-    angle_deg: float,
-    chart_at: Callable[[float], Chart],
-    own_atlas: Atlas | None,
+    transfer: Transfer, conditions: Conditions, wavelength_over_a: float, angle_deg: float
 ) -> Response:
-    """Return what :meth:`ehlwave.Contact.response` does, with the slip of the conditions.
+    """Return the response to one wave by a transfer.
 
     Parameters
     ----------
+    transfer : Transfer
+        From the list of laws, for a contact with these conditions.
     conditions : Conditions
-        Of the contact; S is that of the surface that carries the wave.
+        Its semi-axis a is the unit of length; 1 m where it is unknown.
     wavelength_over_a, angle_deg : float
-        Of the wave; the angle is one of 0 to 90.
-    chart_at : callable
-        The contact's chart of the atlas at a slip parameter; raises RangeError outside.
-    own_atlas : Atlas or None
-        Another atlas than that of the package.
+        Wavelength along the wave vector over a; angle between wave vector and rolling, 0 to 90.
+
+    Raises
+    ------
+    RangeError
+        If the wave lies outside the range of the law.
     """
-    slip = conditions.slip_parameter
-    if conditions.is_starved:
-        return _starved(conditions, wavelength_over_a, angle_deg)
-    low, high = WAVE_RANGE
-    if not low * (1 - 1e-9) <= wavelength_over_a <= high * (1 + 1e-9):
+    a_m = conditions.semi_axis_a_m
+    qx, qy = one_wave(wavelength_over_a * (a_m if np.isfinite(a_m) else 1.0), angle_deg)
+    if not bool(transfer.is_covered(qx, qy)[0]):
         raise RangeError(
-            f"wavelength_over_a = {wavelength_over_a:.5g} lies outside the atlas, which holds "
-            f"{low:g} to {high:g}"
+            f"wavelength_over_a = {wavelength_over_a:.5g} at angle_deg = {angle_deg:.5g} lies "
+            f"outside {transfer.name}: {transfer.outside_reason}"
         )
-    if conditions.is_line and (angle_deg > 1e-9 or not conditions.has_atlas):
-        raise RangeError(TRANSVERSE_ALONE if angle_deg > 1e-9 else ROLLS_ALONE)
-    if not conditions.has_atlas:
-        if angle_deg < 90:
-            return _under_slip(conditions, wavelength_over_a, angle_deg, own_atlas)
-        slip = 1.0
-    try:
-        chart = chart_at(slip)
-    except RangeError:
-        low, high = SLIPS
-        is_law_for = conditions.slip_parameter != 1 and conditions.oil.name == "Ree-Eyring"
-        has_law = is_law_for and low <= slip <= high
-        if conditions.is_line or not has_law or angle_deg == 90:
-            raise
-        return _under_slip(conditions, wavelength_over_a, angle_deg, own_atlas)
-    found = chart.responses(wavelength_over_a, angle_deg)
-    film, pressure = complex(found.film), complex(found.pressure)
-    return Response(film, pressure, float(found.error), chart.source)
-
-
-def _under_slip(
-    conditions: Conditions, wave: float, angle_deg: float, own_atlas: Atlas | None
-) -> Response:
-    """Return the response by the law of the two waves, with the film of the atlas."""
-    slip, (low, high) = conditions.slip_parameter, SLIPS
-    if not low <= slip <= high:
-        raise RangeError(
-            f"slip_parameter = {slip:g} ({RATIO} = {ratio_of(slip):g}) lies outside {low:g} to "
-            f"{high:g}, where the law of the two waves is known to hold"
-        )
-    reasons = TwoWaveTransfer(conditions).reasons()
-    if reasons:
-        raise RangeError(f"{'; '.join(reasons)}; compute it (ehlwave.Case){see('slip')}")
-    oil = conditions.oil.name
-    if oil == "Ree-Eyring":  # outside the atlas of those that slide
-        conditions = replace(conditions, slip_parameter=1.0)
-    conditions = with_atlas_film(conditions, atlas_for(conditions, own_atlas))
-    components = wave_components(wave, angle_deg)
-    film = two_waves(conditions, slip, *components).at(0.0)
+    error = transfer.error(qx, qy)
     return Response(
-        film=complex(film),
-        pressure=complex(math.nan, math.nan),
-        error=SLIP_ERRORS[oil],
-        source=f"law of the two waves, {oil} oil",
+        film=complex(transfer.ratio(qx, qy)[0]),
+        pressure=complex(answer_of(transfer, "pressure", qx, qy)[0]),
+        error=float("nan") if error is None else float(error[0]),
+        source=transfer.name,
+        has_phase=getattr(transfer, "has_phase", True),
     )
 
 
-def _starved(conditions: Conditions, wave: float, angle_deg: float) -> Response:
-    """Return the response by the law of starved contacts."""
-    transfer = StarvedTransfer(replace(conditions, semi_axis_a_m=1.0))
-    if not is_fitted(wave, angle_deg):
-        raise RangeError(
-            f"wavelength_over_a = {wave:.5g} at angle_deg = {angle_deg:.5g} lies outside the law "
-            f"of starved contacts, which holds {WAVES_TEXT}"
-        )
-    turn = cmath.rect(1 / wave, math.radians(angle_deg)) if angle_deg < 90 else 1j / wave
-    along, across = np.array(turn.real), np.array(turn.imag)
-    film, error = complex(transfer.ratio(along, across)), float(transfer.error(along, across))
-    return Response(film, complex(math.nan, math.nan), error, transfer.name, has_phase=False)
+def one_wave(wavelength_m: float, angle_deg: float) -> tuple[Waves, Waves]:
+    """Return waves per metre along x and y of one wave, as arrays of one number."""
+    angle = np.radians(angle_deg)
+    along = 0.0 if angle_deg >= 90 else float(np.cos(angle))
+    across = 0.0 if angle_deg == 0 else float(np.sin(angle))
+    return np.array([along / wavelength_m]), np.array([across / wavelength_m])

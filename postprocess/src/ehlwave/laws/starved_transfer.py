@@ -8,15 +8,31 @@ from numpy.typing import NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.starvation import (
+    OIL_OVER_FLOODED,
     UNDER_SLIP,
     WAVES_TEXT,
     check_waves,
+    film_over_flooded,
     is_fitted,
     ratio_error,
     starved_ratio,
 )
 from ehlwave.errors import RangeError
 from ehlwave.laws.transfer import Waves
+
+
+def check_starved(conditions: Conditions) -> None:
+    """Raise RangeError where the law of starved contacts has no film."""
+    c = conditions
+    if c.slip_parameter != 1:
+        raise RangeError(UNDER_SLIP)
+    if c.is_line:
+        raise RangeError(
+            f"{OIL_OVER_FLOODED} of a line contact: the law of starved contacts was fitted to "
+            "elliptical ones, D of 0.1 to 1"
+        )
+    if c.oil_over_flooded is not None:
+        film_over_flooded(c.oil_over_flooded, c.m, c.l, c.d)
 
 
 @dataclass(frozen=True)
@@ -31,12 +47,12 @@ class StarvedTransfer:
     """
 
     conditions: Conditions
+    has_phase = False
 
     def __post_init__(self) -> None:
         """Refuse contacts that the law was not fitted to."""
         c = self.conditions
-        if c.slip_parameter != 1:
-            raise RangeError(UNDER_SLIP)
+        check_starved(c)
         if c.oil.other_laws:
             laws = ", ".join(c.oil.other_laws)
             raise RangeError(f"{laws}: the law of starved contacts was fitted with Roelands' oil")

@@ -21,6 +21,7 @@ from ehlwave.contact.two_waves import (
     two_waves,
 )
 from ehlwave.errors import SurfaceError
+from ehlwave.laws.sheared_ridges import ridges_under_slip
 from ehlwave.laws.transfer import LawBasis, Waves
 
 Complex = NDArray[np.complex128]
@@ -31,8 +32,9 @@ Floats = NDArray[np.float64]
 class TwoWaveTransfer(LawBasis):
     """Amplitude and phase by the law of the two waves, and by its rolling transfer where S = 1.
 
-    Ridges along rolling stand still: they have the amplitude of pure rolling. The ratio of the mean
-    is 0: the load moves the bodies until it is carried.
+    Ridges along rolling stand still: they have the amplitude of pure rolling, and what an oil that
+    thins adds (:mod:`ehlwave.laws.sheared_ridges`). The ratio of the mean is 0: the load moves the
+    bodies until it is carried.
 
     Raises
     ------
@@ -66,7 +68,10 @@ class TwoWaveTransfer(LawBasis):
         stands = ~moves & (across > 0)
         contact = self.conditions
         point = (contact.m, contact.l, contact.gamma)
-        value[stands] = rolling_transfer(*point, 0.0, self._wavelength(across[stands]))
+        ridges = self._wavelength(across[stands])
+        film = contact.medium(1.0).h
+        rolling = rolling_transfer(*point, 0.0, ridges)
+        value[stands] = ridges_under_slip(contact, film, ridges, rolling)[0]
         return value
 
     def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:

@@ -48,6 +48,14 @@ def find_program(name: str) -> Path:
     )
 
 
+def has_programs() -> bool:
+    """Return whether both programs are installed."""
+    try:
+        return bool(find_program("ehlwave-case") and find_program("ehlwave-sweep"))
+    except ProgramError:
+        return False
+
+
 def find_run_sweep() -> Path | None:
     """Return where the script ``run-sweep`` is; None if there is none, as beside the wheels.
 

@@ -50,10 +50,10 @@ class Units:
 
 def units_of(case: xr.Dataset) -> Units:
     """Return the units of a case read by :func:`ehlwave.read_case`."""
-    if "length_a_m" not in case:
+    if "semi_axis_a_m" not in case:
         return Units(1, 1, 1, 1, 1, ("$x/a$", "$y/b$", "$h/c$", "$p/p_h$", "$T$"))
-    a, c = (number(case, name) * 1e6 for name in ("length_a_m", "length_c_m"))
-    b = number(case, "length_b_m") * 1e6 if "length_b_m" in case else a
+    a, c = (number(case, name) * 1e6 for name in ("semi_axis_a_m", "hertz_approach_c_m"))
+    b = number(case, "semi_axis_b_m") * 1e6 if "semi_axis_b_m" in case else a
     speed = _given(case, "mean_speed_m_per_s")
     time = None if speed is None else a / positive(speed, "mean_speed_m_per_s", case)
     names = (r"$x$ [$\mu$m]", r"$y$ [$\mu$m]", r"$h$ [$\mu$m]", "$p$ [GPa]", r"$t$ [$\mu$s]")

@@ -16,7 +16,7 @@ from ehlwave.results.tables import dataset_table, write_dataset_csv
 from ehlwave.writing import Writer
 
 OF_FIELDS = {
-    "film": ("length_c_m", "m", "film thickness h"),
+    "film": ("hertz_approach_c_m", "m", "film thickness h"),
     "pressure": ("hertz_pressure_pa", "Pa", "pressure p"),
 }
 """What fields are in units of; the unit and the name that they get."""
@@ -76,10 +76,10 @@ def fields_of(case: xr.Dataset) -> xr.Dataset:
 
     Otherwise they stay in units of a, b, c and ph.
     """
-    if "length_a_m" not in case:
+    if "semi_axis_a_m" not in case:
         return case
-    a = number(case, "length_a_m")
-    b = number(case, "length_b_m") if "length_b_m" in case else a
+    a = number(case, "semi_axis_a_m")
+    b = number(case, "semi_axis_b_m") if "semi_axis_b_m" in case else a
     scaled = case.assign_coords(
         x=("x", case["x"].values * a, {"units": "m", "long_name": "along rolling"}),
         y=("y", case["y"].values * b, {"units": "m", "long_name": "across rolling"}),

@@ -73,9 +73,9 @@ def solved_contact(case: xr.Dataset | str | Path) -> SolvedContact:
         If the file cannot be read, or has no fields.
     """
     data = whole_domain(case) if isinstance(case, xr.Dataset) else read_contact(case)
-    has_lengths = "length_a_m" in data
-    a = float(data["length_a_m"]) if has_lengths else 1.0
-    b = float(data["length_b_m"]) if "length_b_m" in data else a * _width_over_length(data)
+    has_lengths = "semi_axis_a_m" in data
+    a = float(data["semi_axis_a_m"]) if has_lengths else 1.0
+    b = float(data["semi_axis_b_m"]) if "semi_axis_b_m" in data else a * _width_over_length(data)
     steps = [
         float(data[letter][1] - data[letter][0]) * scale if data[letter].size > 1 else 1.0
         for letter, scale in (("x", a), ("y", b))

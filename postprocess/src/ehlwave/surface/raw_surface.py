@@ -1,17 +1,14 @@
 """Heights as they are in a file, an array or an object of SurfaceTopography."""
 
-import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeGuard
 
-import h5py
 import numpy as np
 from numpy.typing import NDArray
 
 from ehlwave.errors import SurfaceError
 from ehlwave.extras import install
-from ehlwave.hdf5 import DATA_PER_BYTE, opened, reason
 from ehlwave.inputs.surfaces import TopographyLike
 
 MOST_POINTS = 100_000_000
@@ -38,6 +35,8 @@ class RawSurface:
     """Whether a trace is known to run along y of its file."""
     has_decimal_commas: bool = False
     """Whether commas were taken as decimal ones."""
+    notes: list[str] = field(default_factory=list)
+    """How the file was read: its format, channel, columns, what was left out."""
 
 
 SurfaceSource = str | Path | NDArray[Any] | TopographyLike
@@ -50,14 +49,13 @@ def is_topography(source: object) -> TypeGuard[TopographyLike]:
 
 
 def raw_array(heights: NDArray[Any], place: Path) -> RawSurface:
-    """Return an array as it would be in a ``.npy`` file, in metres unless options say otherwise."""
+    """Return an array as it would be in a ``.npy`` file; its units are said by options."""
     values = np.ma.asarray(heights)
-    if values.dtype.kind not in "fiu":
-        raise SurfaceError(f"{place}: holds {values.dtype} where real numbers are expected")
+    numbers_of(place, values)
     if np.ma.is_masked(values):
         values = values.astype(np.float64)
     filled = np.ma.filled(values, np.nan) if np.ma.is_masked(values) else values.data
-    return RawSurface(np.asarray(filled), length_unit=METRE, height_unit=METRE)
+    return RawSurface(np.asarray(filled))
 
 
 def raw_topography(topography: TopographyLike, place: Path) -> RawSurface:
@@ -80,41 +78,18 @@ def raw_topography(topography: TopographyLike, place: Path) -> RawSurface:
     )
 
 
-def raw_instrument(file: Path) -> RawSurface:
-    """Return a file of an instrument, as SurfaceTopography reads it.
-
-    Raises SurfaceError if it is not installed, or cannot read the file.
-    """
-    try:
-        import SurfaceTopography  # optional, and slow to import
-    except ImportError as error:
-        raise SurfaceError(
-            f"{file}: this format is read by SurfaceTopography, which is not installed: "
-            f"{install('instruments')} (CSV, NumPy and HDF5 need nothing)"
-        ) from error
-    if h5py.is_hdf5(file):
-        with opened(file):
-            pass  # it stands for itself
-    try:
-        # Its readers raise whatever a damaged file makes them stumble into.
-        reader = SurfaceTopography.open_topography(str(file))
-        points = math.prod(reader.channels[0].nb_grid_pts)
-        refuse_large(file, points)
-        if points > DATA_PER_BYTE * file.stat().st_size:
-            raise SurfaceError(f"{file}: claims {points} numbers that it cannot hold")
-        return raw_topography(reader.topography(), file)
-    except SurfaceError:
-        raise
-    except Exception as error:
-        raise SurfaceError(
-            f"{file}: SurfaceTopography cannot read it ({type(error).__name__}: {reason(error)})"
-        ) from error
-
-
 def refuse_large(file: Path, points: int) -> None:
     """Raise SurfaceError if a file claims more points than are read."""
     if points > MOST_POINTS:
         raise SurfaceError(f"{file}: claims {points} numbers, more than {MOST_POINTS}")
+
+
+def numbers_of(file: Path, values: Any) -> np.ndarray:  # noqa: ANN401
+    """Return an array of real numbers, SurfaceError if it is none."""
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiu":
+        raise SurfaceError(f"{file}: holds {array.dtype} where real numbers are expected")
+    return array
 
 
 def topography_of(height: NDArray[Any], steps: tuple[float, float], name: str) -> Any:  # noqa: ANN401

@@ -37,6 +37,7 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         f"{ANSWER}{answer_of(s).text()}",
         f"Surface      {result.surface.name}: {_size_text(result)}; form removed: {result.form}; "
         f"ends: {result.window}",
+        *(f"Read         {note}" for note in result.surface.notes),
         f"Conditions   M = {c.m:.6g}, L = {c.l:.6g}, D = {c.d:.6g}, S = {c.slip_parameter:g}; "
         f"a = {c.semi_axis_a_m * 1e3:.5g} mm, "
         + ("line contact" if c.is_line else f"b = {c.semi_axis_b_m * 1e3:.5g} mm"),
@@ -78,8 +79,8 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
 
 
 def brief_text(result: Deformed) -> str:
-    """Return the answer, then conditions, film, errors, what is not judged and warnings alone."""
-    kept = "Answer", "Conditions", "Reduced by", "Film", "Not judged", "Warning"
+    """Return the answer, surface, conditions, film, errors, unjudged components and warnings."""
+    kept = "Answer", "Surface", "Conditions", "Reduced by", "Film", "Not judged", "Warning"
     lines, heading = [], ""
     for line in report_text(result).splitlines():
         heading = heading if line.startswith(" ") else line
@@ -138,6 +139,7 @@ def report_json(result: Deformed) -> str:
         "format": FORMAT_NAME,
         "answer": answer_of(result.statistics).summary(),
         "surface": result.surface.name,
+        "read": list(result.surface.notes),
         "points": list(result.height.shape),
         "steps_m": [result.surface.step_x_m, result.surface.step_y_m],
         "form_removed": result.form,

@@ -5,12 +5,12 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from ehlwave.choices import AXES, Axis, chosen
 from ehlwave.errors import SurfaceError
 from ehlwave.quantities import number, plain
 from ehlwave.shown import Shown, micrometres
+from ehlwave.surface.outliers import outliers_text
 from ehlwave.surface.raw_surface import topography_of
 
 Heights = NDArray[np.floating]
@@ -35,12 +35,15 @@ class Surface(Shown):
         Sampling steps; 0 in the direction a trace does not have.
     name : str
         For messages and titles.
+    notes : tuple of str
+        How it was read: format, channel, columns, and heights that were filled.
     """
 
     height: Heights
     step_x_m: float
     step_y_m: float
     name: str = "surface"
+    notes: tuple[str, ...] = ()
 
     @property
     def is_trace(self) -> bool:
@@ -142,6 +145,8 @@ def checked_surface(surface: Surface) -> Surface:
             "with fill_missing=True or in the instrument's software, or cut the surface to a "
             "measured part"
         )
+    if (text := outliers_text(height)) is not None:
+        raise SurfaceError(f"{name}: {text}")
     slope = rms_slope(surface)
     if slope > STEEPEST_SLOPE:
         raise SurfaceError(
@@ -171,24 +176,6 @@ def rms_slope(surface: Surface) -> float:
             )
             slopes.append(float(np.sqrt(total / surface.height.size)) / step)
     return max(slopes)
-
-
-def filled(height: Heights) -> Heights:
-    """Return heights with each missing one replaced by its nearest neighbour.
-
-    Raises SurfaceError if more than one tenth is missing: then it is not the surface any more.
-    """
-    missing = ~np.isfinite(height)
-    count = int(missing.sum())
-    if count == 0:
-        return height
-    if count > 0.1 * height.size:
-        raise SurfaceError(
-            f"{count} of {height.size} heights are missing, more than a tenth: measure again or "
-            "cut the surface to a measured part"
-        )
-    nearest = ndimage.distance_transform_edt(missing, return_distances=False, return_indices=True)
-    return height[tuple(nearest)]
 
 
 def is_uniform(positions: NDArray[np.float64]) -> bool:

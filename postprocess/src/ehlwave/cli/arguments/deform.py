@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from ehlwave.choices import WINDOWS
+from ehlwave.choices import HOW, LAWS, WINDOWS
 from ehlwave.cli.arguments.shared import add_overwrite, add_reading, later
 from ehlwave.cli.command_line import add_ratio
 
@@ -25,9 +25,10 @@ Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or bot
                semi_axis_a_m=0.2e-3 radius_x_m=12.5e-3
   --conditions radius_x_m=5e-3 reduced_modulus_pa=2.26e11 load_n_per_m=1.5e5     (a roller: line
                mean_speed_m_per_s=2 viscosity_pa_s=0.03     contact, traces along pure rolling)
-The film thickness is that of the atlas, outside it that of a formula for smooth contacts (up to
-25 % too thick, 35 % in line contacts); central_film_m=... replaces it. With &heat it is the film
-with heat. Keys of a file that would change the answer and are not used are refused, or warned of.
+The first law that holds gives the film thickness, with &heat the film with heat; where none holds
+ehlwave-case computes it. Without that program it is the film of a formula for smooth contacts (up
+to 25 % too thick, 35 % in line contacts). central_film_m=... replaces it. Keys of a file that
+would change the answer and are not used are refused, or warned of.
 
 Form removal: the radii are in the conditions, so they must not be in the roughness as well. 'plane'
 removes the tilt of the specimen; 'quadratic' also the curvature of a ball or roller.
@@ -151,11 +152,11 @@ def _add_prediction(parser: argparse.ArgumentParser) -> None:
         "--refit", type=Path, metavar="FILE", help="coefficients from refit.csv or refit.json"
     )
     source.add_argument(
+        "--by",
         "--formula",
-        choices=("paper", "recommended", "two-waves"),
-        help="in place of the atlas: the formula of Venner et al. (2000); the one with a quarter "
-        "of its error; the law of the two waves, with phase, by which slip is judged where the "
-        "atlas has none",
+        choices=(*LAWS, *HOW),
+        help="law that judges the components; by default the first that holds, and where none does "
+        "the contact is computed. 'laws': nothing is computed",
     )
     source.add_argument(
         "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the atlas"

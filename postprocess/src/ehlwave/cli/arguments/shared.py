@@ -35,10 +35,12 @@ def add_overwrite(parser: argparse.ArgumentParser) -> None:
 
 def add_reading(parser: argparse.ArgumentParser) -> None:
     """Add the options that say what a surface file does not."""
-    parser.add_argument(
-        "--length-unit", metavar="UNIT", help="of positions and steps: m, mm, um, nm"
-    )
-    parser.add_argument("--height-unit", metavar="UNIT", help="of heights: m, mm, um, nm")
+    text = "of positions and --step, where the file states none: m, mm, um, nm"
+    parser.add_argument("--length-unit", metavar="UNIT", help=text)
+    text = "of heights, where the file states none: m, mm, um, nm"
+    parser.add_argument("--height-unit", metavar="UNIT", help=text)
+    text = "channel, or heading of the column, of heights, where the file has several"
+    parser.add_argument("--channel", metavar="NAME", help=text)
     parser.add_argument(
         "--step", type=float, metavar="LENGTH", help="sampling step, for files without positions"
     )
@@ -58,7 +60,10 @@ def add_reading(parser: argparse.ArgumentParser) -> None:
         "measured along rolling, y if across (longitudinal ridges)",
     )
     parser.add_argument(
-        "--fill-missing", action="store_true", help="give missing heights their neighbour's"
+        "--fill-missing",
+        action="store_true",
+        help="give missing heights, and those far outside all others, their neighbour's: at most a "
+        "tenth of them",
     )
     parser.add_argument(
         "--form",

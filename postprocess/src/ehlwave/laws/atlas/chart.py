@@ -118,6 +118,7 @@ class Chart:
                 f"{beyond} lies outside the atlas: name a formula, or compute it (ehlwave.Case)"
             )
         self._networks = networks
+        self._smallest = None if kind.smallest is None else kind.smallest(keys)
         self._place = kind.coordinates(keys)
         self.film_numbers = networks.films(self._place)[0]
         """Return the coordinates of the films, as the kind of the atlas names them."""
@@ -146,6 +147,11 @@ class Chart:
         base, ratios = self._references, np.exp(self.film_numbers)
         return float(base[0] * ratios[0]), float(base[1] * ratios[0] * ratios[1])
 
+    def smallest_of_networks(self) -> tuple[float, float]:
+        """Return the smallest film without a correction, not above the central one, its error."""
+        errors = self._networks.film_errors(self._place)[0]
+        return min(self.computed_films()), float(errors[:2].sum()) + self.film_loss
+
     def film(self) -> SmoothFilm:
         """Return the smooth films, and the shear stress where the kind of the atlas has it.
 
@@ -157,6 +163,10 @@ class Chart:
         central, minimum = self.computed_films()
         central_error = float(errors[0]) + self.film_loss
         minimum_error = float(errors[:2].sum()) + self.film_loss
+        if self._smallest is not None:
+            factor, own = self._smallest
+            minimum = factor * min(minimum, central)
+            minimum_error = minimum_error if own is None else central_error + own
         lowest = minimum * (1 - minimum_error)
         if not 0 < lowest < central * (1 + central_error):
             minimum = minimum_error = math.nan

@@ -54,6 +54,9 @@ class Kind:
         films.
     beyond : callable
         What a contact has too much of, though within the ranges, from its keys; '' if nothing.
+    smallest : callable or None
+        Factor of the smallest film of the networks and its relative error, from the keys; an error
+        of None leaves the error of the networks.
     """
 
     name: str
@@ -64,6 +67,7 @@ class Kind:
     references: Callable[[Keys], Floats]
     state: Callable[[Keys, Floats, Mapping[str, Floats]], Keys] = _keys_alone
     beyond: Callable[[Mapping[str, float]], str] = _unlimited
+    smallest: Callable[[Mapping[str, float]], tuple[float, float | None]] | None = None
 
     def holds(self, keys: Mapping[str, float]) -> bool:
         """Return whether a contact lies within the ranges, by its keys."""

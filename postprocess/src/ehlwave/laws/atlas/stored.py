@@ -5,6 +5,7 @@ import json
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -12,6 +13,12 @@ import xarray as xr
 from ehlwave.errors import ResultsError
 from ehlwave.laws.atlas.committee import LAYERS, Committee
 from ehlwave.laws.atlas.coordinates import Floats
+
+STEP = "scale_factor"
+"""Attribute of packed numbers: the step between them."""
+
+AS_STORED: dict[str, Any] = {"mask_and_scale": False, "decode_times": False}
+"""Options of xarray that leave numbers as they are in the file: versions unpack differently."""
 
 
 @lru_cache(maxsize=8)
@@ -24,13 +31,23 @@ def read_stored(path: str | Path) -> xr.Dataset:
         If it cannot be read, or its checksum is not that of its data.
     """
     try:
-        with xr.open_dataset(path) as opened:
+        with xr.open_dataset(path, **AS_STORED) as opened:
             data = opened.load()
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, TypeError) as error:
         raise ResultsError(f"{path}: cannot be read as an atlas ({error})") from error
     if checksum(data) != data.attrs.get("checksum"):
         raise ResultsError(f"{path}: its checksum is not that of its data: the file is damaged")
-    return data
+    return xr.Dataset({name: _unpacked(data[name]) for name in data}, attrs=data.attrs)
+
+
+def _unpacked(stored: xr.DataArray) -> xr.Variable:
+    """Return numbers times their step, in double precision whatever the version of xarray."""
+    attrs = dict(stored.attrs)
+    step = attrs.pop(STEP, None)
+    values = _native(stored.values)
+    if step is not None:
+        values = values.astype(np.float64) * np.float64(step)
+    return xr.Variable(stored.dims, values, attrs)
 
 
 def committee_of(data: xr.Dataset, name: str) -> Committee:
@@ -62,8 +79,29 @@ def errors_of(data: xr.Dataset, name: str) -> ErrorBars:
 
 
 def checksum(data: xr.Dataset) -> str:
-    """Return the SHA-256 digest of all values, variables in alphabetical order."""
+    """Return the SHA-256 digest of what is stored.
+
+    The digest is that of names, shapes, numbers in little-endian order and steps of all variables
+    in alphabetical order, and of the texts among the attributes. It depends on no library.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        Opened with :data:`AS_STORED`.
+    """
     digest = hashlib.sha256()
     for name in sorted(str(name) for name in data.variables):
-        digest.update(name.encode() + np.ascontiguousarray(data[name].values).tobytes())
+        values = data[name].values
+        kind = f"{values.dtype.kind}{values.dtype.itemsize}"
+        digest.update(f"{name} {kind} {values.shape} ".encode())
+        digest.update(values.astype(values.dtype.newbyteorder("<")).tobytes())
+        if STEP in data[name].attrs:
+            digest.update(np.float64(data[name].attrs[STEP]).astype("<f8").tobytes())
+    for key in sorted(map(str, data.attrs)):
+        if key != "checksum" and isinstance(data.attrs[key], str):
+            digest.update(f"{key}={data.attrs[key]}".encode())
     return digest.hexdigest()
+
+
+def _native(values: np.ndarray) -> np.ndarray:
+    return values.astype(values.dtype.newbyteorder("="))

@@ -1,4 +1,4 @@
-"""Files of measured surfaces, format by format, as they are: CSV, NumPy, HDF5, instruments."""
+"""Files of measured surfaces, read by their content: text, NumPy, HDF5, instruments."""
 
 import math
 import zipfile
@@ -11,37 +11,53 @@ import numpy as np
 from ehlwave.choices import Decimal
 from ehlwave.errors import ResultsError, SurfaceError
 from ehlwave.hdf5 import check_is_file, opened, reason
-from ehlwave.surface.raw_surface import RawSurface, raw_instrument, refuse_large
-from ehlwave.surface.surface import is_uniform
-from ehlwave.surface.text_table import TextTable, position_and_height, read_text_table
-from ehlwave.surface.units import METRES
+from ehlwave.surface.files.from_text import raw_text
+from ehlwave.surface.files.instruments import ENDINGS, is_instrument_text, raw_instrument
+from ehlwave.surface.raw_surface import RawSurface, numbers_of, refuse_large
 
-_TEXT = {".csv", ".txt", ".dat", ".prf", ".asc", ".tsv"}
-_HDF5 = {".h5", ".hdf5", ".nc"}
-
-_OWN = {*_TEXT, *_HDF5, ".npy", ".npz"}
+_OWN = {".csv", ".txt", ".asc", ".tsv", ".prf", ".h5", ".hdf5", ".nc", ".npy", ".npz"}
 ARRAYS = ("height", "x", "y")
+_HEAD = 4096
+"""Bytes by which text is told from other data."""
 
 
-def raw_file(file: Path, decimal: Decimal | None) -> RawSurface:
-    """Return what a file holds; `decimal` is what decimals of a text begin with, if it is said.
+def raw_file(file: Path, decimal: Decimal | None, channel: str | None = None) -> RawSurface:
+    """Return what a file holds.
 
-    Raises SurfaceError if the file cannot be read.
+    Parameters
+    ----------
+    file : path
+        Its content decides how it is read, not its ending.
+    decimal : {"point", "comma"} or None
+        What decimals of a text begin with, if it is said.
+    channel : str or None
+        The channel or column of heights, if it is said.
+
+    Raises
+    ------
+    SurfaceError
+        If the file cannot be read.
     """
     suffix = file.suffix.lower()
     try:
         check_is_file(file)
-        if suffix in _TEXT:
-            refuse_large(file, file.stat().st_size // 2)
-            return _from_text(file, decimal)
-        if suffix == ".npy":
+        with file.open("rb") as opened_file:
+            head = opened_file.read(_HEAD)
+        if head.startswith(b"\x93NUMPY") or suffix == ".npy":
             return RawSurface(numbers_of(file, np.load(file, mmap_mode="r", allow_pickle=False)))
         if suffix == ".npz":
             return _from_archive(file)
-        if suffix in _HDF5:
+        if h5py.is_hdf5(file) or (suffix in (".h5", ".hdf5") and not _is_text(head)):
             with opened(file) as inside:
-                return _from_hdf5(file, inside)
-        return raw_instrument(file)
+                if any(name in inside for name in ARRAYS) or suffix in (".h5", ".hdf5"):
+                    return _from_hdf5(file, inside)
+        elif suffix in (".h5", ".hdf5"):
+            with opened(file):
+                pass  # which refuses it
+        elif _is_text(head) and suffix not in ENDINGS and not is_instrument_text(head):
+            refuse_large(file, file.stat().st_size // 2)
+            return raw_text(file, decimal, channel)
+        return raw_instrument(file, head, channel)
     except SurfaceError:
         raise
     except ResultsError as error:
@@ -51,6 +67,15 @@ def raw_file(file: Path, decimal: Decimal | None) -> RawSurface:
         kind = f"as {suffix[1:]} " if suffix in _OWN else ""
         said = f"{type(error).__name__}: {reason(error)}"
         raise SurfaceError(f"{file}: cannot be read {kind}({said})") from error
+
+
+def _is_text(head: bytes) -> bool:
+    """Return whether a file that begins so is text, in UTF-16 or in an encoding of bytes."""
+    if head.startswith((b"\xff\xfe", b"\xfe\xff")) or not head:
+        return True
+    if head[1:200:2].count(0) > 90 and not any(head[0:200:2].count(byte) for byte in (0, 1, 2)):
+        return True
+    return not any(head.count(byte) for byte in (*range(9), *range(14, 26), 27))
 
 
 def _from_archive(file: Path) -> RawSurface:
@@ -78,50 +103,6 @@ def _claimed_points(entry: IO[bytes]) -> int:
     else:
         shape = np.lib.format.read_array_header_2_0(entry)[0]
     return math.prod(shape)
-
-
-def _from_text(file: Path, decimal: Decimal | None) -> RawSurface:
-    table = read_text_table(file, decimal)
-    numbers, units = table.numbers, table.units
-    stated = {"length_unit": table.length_unit, "height_unit": table.height_unit}
-    if numbers.shape[1] == 1:
-        height_unit = units[0] or table.height_unit
-        return RawSurface(
-            numbers[:, 0],
-            length_unit=table.length_unit,
-            height_unit=height_unit,
-            step=table.step,
-            has_decimal_commas=table.has_decimal_commas,
-        )
-    columns = position_and_height(table)
-    if columns is None and numbers.shape[1] == 2:
-        columns = 0, 1
-        if not is_uniform(numbers[:, 0]) and is_uniform(numbers[:, 1]):
-            raise SurfaceError(
-                f"{file}: positions are not equidistant in its first column but in its second: if "
-                "they are swapped, put headings above them, such as z;x"
-            )
-    if columns is not None:
-        x, z = columns
-        return RawSurface(
-            numbers[:, z],
-            x=numbers[:, x],
-            length_unit=units[x] or stated["length_unit"],
-            height_unit=units[z] or stated["height_unit"],
-        )
-    return _stated_map(table)
-
-
-def _stated_map(table: TextTable) -> RawSurface:
-    """Return a matrix of heights with the steps that its preamble states."""
-    raw = RawSurface(table.numbers, height_unit=table.height_unit, length_unit=table.length_unit)
-    raw.step = table.step
-    if set(table.extent) == {"width", "height"}:
-        rows, columns = table.numbers.shape
-        (width, unit), (across, unit_across) = table.extent["width"], table.extent["height"]
-        raw.step, raw.length_unit = width / columns, unit
-        raw.step_across = across / rows * METRES[unit_across] / METRES[unit]
-    return raw
 
 
 def _from_arrays(file: Path, arrays: dict[str, Any], units: dict[str, str]) -> RawSurface:
@@ -153,11 +134,3 @@ def _from_hdf5(file: Path, inside: h5py.File) -> RawSurface:
     if raw.height.ndim == 2 and "x" in inside["height"].dims[0].keys():  # noqa: SIM118
         raw.height = raw.height.T
     return raw
-
-
-def numbers_of(file: Path, values: Any) -> np.ndarray:  # noqa: ANN401
-    """Return an array of real numbers, SurfaceError if it is none."""
-    array = np.asarray(values)
-    if array.dtype.kind not in "fiu":
-        raise SurfaceError(f"{file}: holds {array.dtype} where real numbers are expected")
-    return array

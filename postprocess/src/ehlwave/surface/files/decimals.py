@@ -5,7 +5,6 @@ than a thousand. Where the table itself decides it is followed, where it does no
 named and ``--decimal`` decides.
 """
 
-import csv
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -19,7 +18,6 @@ _PAIR = re.compile(r"([-+]?\d+)\s*,\s*(\d+)$")
 _WHOLE = re.compile(r"[-+]?\d+$")
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}(,\d{3})+$")
 _SMALL = re.compile(r"[-+]?\d{1,3}$")
-_QUOTED_NUMBER = re.compile(r'"\s*[-+]?\d+,\d+\s*"')
 
 
 def settled(
@@ -55,14 +53,6 @@ def settled(
             return [_joined(file, line) for line in body], ",", True
         return list(body), ",", False
     return [*_without_commas(file, body, separator, decimal)], separator, True
-
-
-def unquoted(lines: Sequence[str]) -> list[str]:
-    """Return lines whose quotes protect commas in numbers separated by semicolons, others as is."""
-    if not any(_QUOTED_NUMBER.search(line) for line in lines):
-        return list(lines)
-    separator = ";" if any(";" in line for line in lines) else ","
-    return [";".join(cells) for cells in csv.reader(lines, delimiter=separator)]
 
 
 def _is_decimal(file: Path, body: Sequence[str], names: int, decimal: Decimal | None) -> bool:

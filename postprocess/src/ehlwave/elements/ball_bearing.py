@@ -1,0 +1,126 @@
+"""What ball bearings have in common: grooves, stiffness and loads of balls."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from ehlwave.contact.bodies import Body
+from ehlwave.elements.bearing import RINGS, RollingBearing
+from ehlwave.elements.given import above, at_least, count, pair
+from ehlwave.elements.hertz import hertz_point, reduced_modulus, reduced_radius
+from ehlwave.elements.load_zone import (
+    BALL_POWER,
+    Grooves,
+    LoadZone,
+    combined_zone,
+    radial_zone,
+)
+from ehlwave.elements.material import elastic_of
+from ehlwave.errors import SurfaceError
+
+
+class BallBearing(RollingBearing):
+    """A single-row ball bearing; its kinds know the contact angle without load."""
+
+    free_angle_deg: float = 0.0
+    """Contact angle without load."""
+    conformity: tuple[float, float]
+    """Groove radius over ball diameter, inner and outer ring."""
+    clearance_m: float = 0.0
+    """Radial internal clearance, of the diameter."""
+
+    def _take(self, diameter: Any, pitch: Any, balls: Any, conformity: Any, material: Any) -> None:  # noqa: ANN401
+        """Check and keep what all ball bearings have."""
+        name = type(self).__name__
+        self.element_diameter_m = above(diameter, "ball_diameter_m", name, example="0.012")
+        self.pitch_diameter_m = above(
+            pitch, "pitch_diameter_m", name, self.element_diameter_m, example="0.06"
+        )
+        self.elements = count(balls, "balls", name, 3)
+        self.conformity = pair(conformity, "conformity", name)
+        for value in self.conformity:
+            if not 0.5 < value < 1:
+                raise SurfaceError(
+                    f"{name}: conformity = {value:g} must be above 0.5 and below 1: groove radius "
+                    "over ball diameter, such as (0.52, 0.53)"
+                )
+        if self.elements * self.element_diameter_m > math.pi * self.pitch_diameter_m:
+            raise SurfaceError(
+                f"{name}: balls = {self.elements} of ball_diameter_m = "
+                f"{self.element_diameter_m:g} do not fit on pitch_diameter_m = "
+                f"{self.pitch_diameter_m:g}: give fewer"
+            )
+        self.elastic = elastic_of(*material)
+
+    def bodies(self, ring: str, contact_angle_deg: float = 0.0) -> tuple[Body, Body]:
+        """Return race and ball.
+
+        Parameters
+        ----------
+        ring : {"inner", "outer"}
+            The race.
+        contact_angle_deg : float
+            Contact angle under load.
+        """
+        make = Body.inner_race if ring == "inner" else Body.outer_race
+        race = make(
+            self.element_diameter_m,
+            self.pitch_diameter_m,
+            osculation=self.conformity[RINGS.index(ring)],
+            contact_angle_deg=contact_angle_deg,
+            **self.elastic,
+        )
+        return race, Body.ball(self.element_diameter_m, **self.elastic)
+
+    @property
+    def stiffness(self) -> float:
+        """Return K of both Hertz contacts in series, N/m^(3/2), at the angle without load."""
+        approach = 0.0
+        for ring in RINGS:
+            race, ball = self.bodies(ring, self.free_angle_deg)
+            along = reduced_radius(race.radius_x_m, ball.radius_x_m)
+            across = reduced_radius(race.radius_y_m, ball.radius_y_m)
+            approach += hertz_point(1.0, along, across, reduced_modulus(race, ball)).approach_m
+        return approach**-BALL_POWER
+
+    @property
+    def grooves(self) -> Grooves:
+        """Return the distance of the groove centres and the angle without load."""
+        diameter, pitch = self.element_diameter_m, self.pitch_diameter_m
+        distance = (sum(self.conformity) - 1) * diameter
+        angle = math.radians(self.free_angle_deg)
+        if not self.free_angle_deg and self.clearance_m > 0:
+            angle = math.acos(1 - min(self.clearance_m / (2 * distance), 1))
+        inner = pitch / 2 + (self.conformity[0] - 0.5) * diameter * math.cos(angle)
+        return Grooves(distance, angle, inner, pitch / 2)
+
+    def load_zone(
+        self,
+        radial_load_n: float = 0.0,
+        axial_load_n: float = 0.0,
+        is_free_to_tilt: bool = False,
+    ) -> LoadZone:
+        """Return the loads around the bearing.
+
+        Parameters
+        ----------
+        radial_load_n, axial_load_n : float
+            Loads, one of them above 0.
+        is_free_to_tilt : bool
+            Whether the rings tilt until no moment is left; otherwise they stay parallel.
+        """
+        name = type(self).__name__
+        radial = at_least(radial_load_n, "radial_load_n", name)
+        axial = at_least(axial_load_n, "axial_load_n", name)
+        if radial == axial == 0:
+            raise SurfaceError(f"{name}: radial_load_n is missing: give it, such as 1000")
+        if axial == 0:
+            if self.free_angle_deg:
+                raise SurfaceError(
+                    f"{name}: axial_load_n is missing: a radial load alone pushes the rings of an "
+                    f"angular contact bearing apart: give it, such as {0.8 * radial:g}"
+                )
+            return radial_zone(radial, self.elements, self.clearance_m, self.stiffness, BALL_POWER)
+        loads = (radial, axial)
+        return combined_zone(loads, self.elements, self.grooves, self.stiffness, is_free_to_tilt)

@@ -1,0 +1,293 @@
+"""What rolling bearings have in common: kinematics, contacts, load zone, power."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from ehlwave.choices import chosen
+from ehlwave.contact.bodies import Body
+from ehlwave.contact.data_sheet import Oil
+from ehlwave.elements.answers import Questions
+from ehlwave.elements.inside_error import inside_error, widen
+from ehlwave.elements.load_zone import LoadZone
+from ehlwave.elements.place import ElementContact
+from ehlwave.elements.practice import viscosity_ratio
+from ehlwave.elements.rolling_resistance import error_of, rolling_power_w
+from ehlwave.elements.table import table_of, unanswered, worst_places
+
+RINGS = ("inner", "outer")
+EDGE = 0.95
+"""Part of the half width of the load zone that tables show: at its end there is no load."""
+
+
+class RollingBearing:
+    """A bearing of balls or rollers; its kinds know bodies and loads."""
+
+    element_diameter_m: float
+    """Diameter of balls, or of rollers at their middle."""
+    pitch_diameter_m: float
+    """Diameter of the circle of their centres."""
+    elements: int
+    """Number of balls or rollers."""
+    elastic: Mapping[str, Any]
+    """Material of all parts, as arguments of :class:`ehlwave.Body`."""
+    load_zone: Callable[..., LoadZone]
+    """Method that returns the loads around the bearing; the kinds of bearings have it."""
+    variants: tuple[RollingBearing, ...] = ()
+    """The same bearing with other inner dimensions, where they are estimated."""
+    inside_errors: Mapping[str, float] = {}
+    """Errors of estimated inner dimensions, relative; of counts absolute."""
+
+    def bodies(self, ring: str, contact_angle_deg: float) -> tuple[Body, Body]:
+        """Return race and element at a contact; the kinds of bearings know them."""
+        raise NotImplementedError
+
+    def length_m(self) -> float | None:
+        """Return the length of line contacts; None of balls."""
+        return None
+
+    def gamma(self, contact_angle_deg: float = 0.0) -> float:
+        """Return D cos(angle)/d_m.
+
+        Parameters
+        ----------
+        contact_angle_deg : float
+            Contact angle, of tapered rollers the angle of their axis.
+        """
+        cosine = math.cos(math.radians(contact_angle_deg))
+        return self.element_diameter_m * cosine / self.pitch_diameter_m
+
+    def surface_speed_m_per_s(
+        self, inner_speed_rpm: float, outer_speed_rpm: float = 0.0, contact_angle_deg: float = 0.0
+    ) -> float:
+        """Return the speed of both surfaces past either contact, without slip.
+
+        The cage turns with [w_i (1 - gamma) + w_o (1 + gamma)]/2, so that the inner race has
+        (w_i - w_o) d_m (1 - gamma^2)/4, the outer race and the element the same.
+
+        Parameters
+        ----------
+        inner_speed_rpm, outer_speed_rpm, contact_angle_deg : float
+            Speeds of the rings, contact angle.
+        """
+        gamma = self.gamma(contact_angle_deg)
+        turn = 2 * math.pi / 60 * (inner_speed_rpm - outer_speed_rpm)
+        return abs(turn) * self.pitch_diameter_m * (1 - gamma**2) / 4
+
+    def cage_speed_rpm(
+        self, inner_speed_rpm: float, outer_speed_rpm: float = 0.0, contact_angle_deg: float = 0.0
+    ) -> float:
+        """Return the speed of the cage.
+
+        Parameters
+        ----------
+        inner_speed_rpm, outer_speed_rpm, contact_angle_deg : float
+            Speeds of the rings, contact angle.
+        """
+        gamma = self.gamma(contact_angle_deg)
+        return (inner_speed_rpm * (1 - gamma) + outer_speed_rpm * (1 + gamma)) / 2
+
+    def overrolling_time_s(self, inner_speed_rpm: float, outer_speed_rpm: float = 0.0) -> float:
+        """Return the time between two elements at a place of the inner ring.
+
+        Parameters
+        ----------
+        inner_speed_rpm, outer_speed_rpm : float
+            Speeds of the rings.
+        """
+        past = abs(inner_speed_rpm - self.cage_speed_rpm(inner_speed_rpm, outer_speed_rpm))
+        return 60 / (self.elements * past) if past > 0 else math.inf
+
+    def _place(
+        self,
+        ring: str,
+        angle_deg: float,
+        load_n: float,
+        contact_angle_deg: float,
+        speeds_rpm: tuple[float, float],
+        oil: Oil,
+        options: Mapping[str, Any],
+    ) -> ElementContact:
+        speed = self.surface_speed_m_per_s(*speeds_rpm, contact_angle_deg)
+        others = {"contact_angle_deg": contact_angle_deg} if contact_angle_deg else {}
+        return ElementContact(
+            bodies=self.bodies(ring, contact_angle_deg),
+            oil=oil,
+            speeds_m_per_s=(speed, speed),
+            load_n=load_n,
+            length_m=self.length_m(),
+            angle_deg=angle_deg,
+            name=f"{ring} ring",
+            others=others,
+            options=options,
+        )
+
+    def contacts(
+        self,
+        *,
+        inner_speed_rpm: float,
+        oil: Oil,
+        outer_speed_rpm: float = 0.0,
+        ring: str = "inner",
+        options: Mapping[str, Any] | None = None,
+        **loads: float,
+    ) -> list[ElementContact]:
+        """Return the contacts of all elements that bear load with one ring.
+
+        Parameters
+        ----------
+        inner_speed_rpm, outer_speed_rpm : float
+            Speeds of the rings.
+        oil : Oil
+            At the temperature of the bearing.
+        ring : {"inner", "outer"}
+            The ring.
+        options : mapping, optional
+            Options of :class:`ehlwave.Contact`, such as ``heat``.
+        **loads
+            ``radial_load_n``, and ``axial_load_n`` of balls.
+
+        Returns
+        -------
+        list of ElementContact
+            With ``angle_deg`` from the direction of the load, above -180 to 180, ``load_n`` and
+            ``contact``.
+        """
+        chosen(ring, "ring", RINGS, type(self).__name__)
+        zone = self.load_zone(**loads)
+        angles = 360 * np.arange(self.elements) / self.elements
+        angles = np.where(angles > 180, angles - 360, angles)
+        found = zip(angles, *zone.loads_at(angles), strict=True)
+        speeds = (inner_speed_rpm, outer_speed_rpm)
+        return [
+            self._place(ring, float(angle), float(load), float(alpha), speeds, oil, options or {})
+            for angle, load, alpha in found
+            if load > 0
+        ]
+
+    def places(
+        self,
+        *,
+        points: int = 0,
+        rings: tuple[str, ...] = RINGS,
+        **given: Any,  # noqa: ANN401
+    ) -> list[ElementContact]:
+        """Return the contacts of all loaded elements with both rings.
+
+        Parameters
+        ----------
+        points : int
+            Not used: places are those of the elements.
+        rings : tuple of str
+            The rings.
+        **given
+            As of :meth:`contacts`.
+        """
+        return [place for ring in rings for place in self.contacts(ring=ring, **given)]
+
+    def over_load_zone(
+        self,
+        *,
+        inner_speed_rpm: float,
+        oil: Oil,
+        outer_speed_rpm: float = 0.0,
+        points: int = 9,
+        rings: tuple[str, ...] = RINGS,
+        **asked: Any,  # noqa: ANN401
+    ) -> xr.Dataset:
+        """Return films, roughness and stresses over the load zone of both rings.
+
+        Parameters
+        ----------
+        inner_speed_rpm, outer_speed_rpm, oil
+            As of :meth:`contacts`.
+        points : int
+            Angles, evenly spread over 95 % of the loaded part.
+        rings : tuple of str
+            Rings that are answered.
+        **asked
+            ``radial_load_n``, ``axial_load_n``; ``trace``, ``second``, ``heat``, ``stress``,
+            ``oil_over_flooded``, ``reading`` of :class:`ehlwave.elements.answers.Questions`. The
+            trace is of the race, the second one of the element.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over ``ring`` and ``angle_deg``; columns are those of
+            :data:`ehlwave.elements.columns.COLUMNS`. Attributes have the power of rolling and
+            sliding, kappa of ISO 281 and the worst places.
+        """
+        own = ("radial_load_n", "axial_load_n", "is_free_to_tilt")
+        loads = {name: asked.pop(name) for name in own if name in asked}
+        questions = Questions(**asked)
+        zone = self.load_zone(**loads)
+        half = EDGE * zone.half_width_deg
+        angles = np.linspace(-half, half, points)
+        speeds = (inner_speed_rpm, outer_speed_rpm)
+        tables = []
+        for ring in rings:
+            places = [
+                self._place(ring, a, q, alpha, speeds, oil, questions.options)
+                for a, q, alpha in zip(
+                    angles.tolist(), *(one.tolist() for one in zone.loads_at(angles)), strict=True
+                )
+            ]
+            tables.append(table_of(places, questions, "angle_deg", {"angle_deg": angles.tolist()}))
+        found = xr.concat(tables, dim="ring").assign_coords(ring=list(rings))
+        found["angle_deg"].attrs |= {"units": "degree", "long_name": "angle from the load"}
+        if self.variants and "central_film_m" in found:
+            widen(found, self._inside_error(loads, speeds, oil))
+        found.attrs |= self._attributes(zone, found, loads, speeds, oil)
+        return found
+
+    def _inside_error(
+        self, loads: Mapping[str, float], speeds_rpm: tuple[float, float], oil: Oil
+    ) -> float:
+        """Return the relative error of films by estimated inner dimensions."""
+        most = []
+        for bearing in (self, *self.variants):
+            load, alpha = (float(one) for one in bearing.load_zone(**loads).loads_at(0.0))
+            most.append(bearing._place("inner", 0.0, load, alpha, speeds_rpm, oil, {}))
+        return inside_error(most[0], most[1:])
+
+    def _attributes(
+        self,
+        zone: LoadZone,
+        found: xr.Dataset,
+        loads: Mapping[str, float],
+        speeds_rpm: tuple[float, float],
+        oil: Oil,
+    ) -> dict[str, Any]:
+        relative = speeds_rpm[0] - speeds_rpm[1]
+        factor = float(found["thermal_film_factor"].min()) if "thermal_film_factor" in found else 1
+        angles = 360 * np.arange(self.elements) / self.elements
+        loaded = [
+            self._place(ring, 0.0, float(load), float(alpha), speeds_rpm, oil, {})
+            for load, alpha in zip(*zone.loads_at(angles), strict=True)
+            for ring in RINGS
+            if load > 0
+        ]
+        rolling = rolling_power_w(loaded) * (1.0 if math.isnan(factor) else factor)
+        return {
+            "element": type(self).__name__,
+            **loads,
+            "inner_speed_rpm": speeds_rpm[0],
+            "outer_speed_rpm": speeds_rpm[1],
+            "oil": str(oil),
+            "ring_displacement_m": zone.radial_m,
+            "load_zone_half_width_deg": zone.half_width_deg,
+            "rolling_power_w": rolling,
+            "rolling_power_error": error_of(self.length_m()),
+            "sliding_power_w": 0.0,
+            "power_note": "rolling of loaded elements on both rings; without sliding in the "
+            "contacts by their curvature and spin, cage, seals and churning",
+            "time_between_overrollings_s": self.overrolling_time_s(*speeds_rpm),
+            "kappa_iso_281": viscosity_ratio(oil, relative, self.pitch_diameter_m),
+            "unanswered_places": unanswered(found),
+            "worst": "; ".join(worst_places(found).values()),
+        }

@@ -1,0 +1,142 @@
+"""Figures of the table of an element: film, roughness, friction, temperature and stress."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from ehlwave.elements.table import ERRORS
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+
+class Curve(NamedTuple):
+    """A column of a panel."""
+
+    name: str
+    factor: float
+    label: str
+    style: str = "-"
+
+
+PANELS: dict[str, tuple[Curve, ...]] = {
+    "film [um]": (
+        Curve("central_film_m", 1e6, "central"),
+        Curve("minimum_film_m", 1e6, "smallest", "--"),
+        Curve("isothermal_central_film_m", 1e6, "central, without heat", ":"),
+    ),
+    "lambda ratio": (
+        Curve("lambda_ratio", 1, "deformed roughness"),
+        Curve("lambda_ratio_before", 1, "roughness as made", "--"),
+        Curve("isothermal_lambda_ratio", 1, "deformed, without heat", ":"),
+    ),
+    "friction coefficient": (Curve("friction", 1, "friction"),),
+    "rise of the temperature [K]": (
+        Curve("rise_mid_film_k", 1, "mid-film"),
+        Curve("rise_surfaces_k", 1, "surfaces", "--"),
+    ),
+    "pressure and shear [GPa]": (
+        Curve("hertz_pressure_pa", 1e-9, "Hertz pressure"),
+        Curve("largest_shear_pa", 1e-9, "largest shear stress", "--"),
+    ),
+    "factor of Dang Van": (Curve("dang_van", 1, "largest"),),
+}
+"""Panels by their labels; one without known numbers is left out."""
+
+AXES = {
+    "angle_deg": ("angle [degrees]", 1.0),
+    "distance_m": ("distance along the line of action [mm]", 1e3),
+    "speed_m_per_s": ("mean speed [m/s]", 1.0),
+}
+COLOURS = ("C0", "C1")
+
+
+def element_figure(table: xr.Dataset) -> Figure:
+    """Draw the table of an element; bands are relative errors.
+
+    Parameters
+    ----------
+    table : xarray.Dataset
+        From ``over_load_zone``, ``along_path``, ``over_cycle`` or ``over_speeds``.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> from ehlwave.elements import SpurGearPair, element_figure
+    >>> oil = ehlwave.Oil.from_grade(iso_vg=220, viscosity_index=95, temperature_k=343.15,
+    ...     eyring_stress_pa=5e6)
+    >>> gears = SpurGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.03)
+    >>> figure = element_figure(gears.along_path(pinion_torque_n_m=150, pinion_speed_rpm=1500,
+    ...     oil=oil, points=5))
+    >>> [axes.get_ylabel() for axes in figure.axes][:2]
+    ['film [um]', 'friction coefficient']
+    """
+    from matplotlib.figure import Figure
+
+    shown = {label: curves for label, curves in PANELS.items() if _is_known(table, curves)}
+    rows = (len(shown) + 1) // 2
+    figure = Figure(figsize=(9.2, 2.7 * rows), layout="constrained")
+    grid = np.atleast_1d(figure.subplots(rows, 2, sharex=True)).ravel()
+    coordinate = next(name for name in AXES if name in table.dims)
+    name, factor = AXES[coordinate]
+    for axes, (label, curves) in zip(grid, shown.items(), strict=False):
+        _draw(axes, table, coordinate, factor, curves)
+        axes.set(ylabel=label)
+        axes.set_ylim(bottom=0)
+        axes.legend(frameon=False, fontsize=7)
+    for axes in grid[len(shown) :]:
+        axes.set_axis_off()
+    for axes in grid[:2] if rows == 1 else grid[-2:]:
+        axes.set_xlabel(name)
+        axes.tick_params(labelbottom=True)
+    if len(shown) % 2 and rows > 1:
+        grid[-3].set_xlabel(name)
+        grid[-3].tick_params(labelbottom=True)
+    if coordinate == "distance_m" and "named_points_mm" in table.attrs:
+        _name_points(grid[: len(shown)], str(table.attrs["named_points_mm"]))
+    return figure
+
+
+def _is_known(table: xr.Dataset, curves: tuple[Curve, ...]) -> bool:
+    """Return whether any number of a panel is known and not 0 everywhere."""
+    found = [table[curve.name].values for curve in curves if curve.name in table]
+    return any(np.isfinite(one).any() and np.nanmax(np.abs(one)) > 0 for one in found)
+
+
+def _draw(
+    axes: Axes, table: xr.Dataset, coordinate: str, factor: float, curves: tuple[Curve, ...]
+) -> None:
+    """Draw the curves of a panel, each ring in its colour."""
+    x = table[coordinate].values * factor
+    rings = table["ring"].values.tolist() if "ring" in table.dims else [None]
+    for ring, colour in zip(rings, COLOURS, strict=False):
+        part = table if ring is None else table.sel(ring=ring)
+        for curve in curves:
+            if curve.name not in part or not np.isfinite(part[curve.name].values).any():
+                continue
+            y = part[curve.name].values * curve.factor
+            words = curve.label if ring is None else f"{ring}: {curve.label}"
+            axes.plot(x, y, curve.style, color=colour, marker=".", ms=4, lw=1.2, label=words)
+            error = part.get(ERRORS.get(curve.name, ""))
+            if error is not None and curve.style != "--":
+                low = y * np.maximum(1 - error.values, 0)
+                axes.fill_between(x, low, y * (1 + error.values), color=colour, alpha=0.15, lw=0)
+
+
+def _name_points(grid: np.ndarray, text: str) -> None:
+    """Mark A to E of a path of contact."""
+    for word in text.split(", "):
+        letter, place = word.split()
+        for axes in grid:
+            axes.axvline(float(place), color="0.8", lw=0.7, zorder=0)
+            axes.text(
+                *(float(place), 1.0, letter),
+                transform=axes.get_xaxis_transform(),
+                ha="center",
+                va="bottom",
+                fontsize=7,
+            )

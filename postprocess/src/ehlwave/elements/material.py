@@ -1,0 +1,33 @@
+"""Materials of elements: a name, or elastic constants that stand before those of the name."""
+
+from typing import Any
+
+from ehlwave.contact.materials import material as known_material
+
+
+def elastic_of(
+    material: str, elastic_modulus_pa: float | None = None, poisson_ratio: float | None = None
+) -> dict[str, Any]:
+    """Return arguments of :class:`ehlwave.Body`; heat is that of the named material.
+
+    Parameters
+    ----------
+    material : str
+        As of :class:`ehlwave.Body`.
+    elastic_modulus_pa, poisson_ratio : float, optional
+        In place of those of the material.
+
+    Examples
+    --------
+    >>> from ehlwave.elements.material import elastic_of
+    >>> elastic_of("steel", elastic_modulus_pa=2.1e11)["poisson_ratio"]
+    0.3
+    """
+    if elastic_modulus_pa is None and poisson_ratio is None:
+        return {"material": material}
+    known = known_material(material)
+    found: dict[str, Any] = {
+        "elastic_modulus_pa": known[0] if elastic_modulus_pa is None else elastic_modulus_pa,
+        "poisson_ratio": known[1] if poisson_ratio is None else poisson_ratio,
+    }
+    return found | known.heat._asdict()

@@ -1,0 +1,145 @@
+"""One contact of a machine element: where it is, its bodies, load and speeds."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from ehlwave.contact.bodies import Body
+from ehlwave.contact.data_sheet import Oil
+from ehlwave.elements.hertz import hertz_line, hertz_point, reduced_modulus, reduced_radius
+from ehlwave.errors import RangeError
+from ehlwave.operating_point import Contact
+
+
+@dataclass(frozen=True)
+class ElementContact:
+    """One contact of an element.
+
+    Attributes
+    ----------
+    bodies : pair of Body
+        The rough one first: the race, the pinion, the cam.
+    oil : Oil
+        At the temperature of the inlet.
+    speeds_m_per_s : pair of float
+        Speeds of both surfaces relative to the contact.
+    load_n : float
+        Load of the contact.
+    length_m : float or None
+        Length of a line contact; None: a point contact.
+    angle_deg : float
+        Angle of the place in the element; NaN where a place is not known by an angle.
+    name : str
+        Name of the place.
+    others : mapping
+        Other numbers of the place, by the names of columns.
+    options : mapping
+        Options of :class:`ehlwave.Contact`, such as ``heat``.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> from ehlwave.elements import BallOnDisc
+    >>> oil = ehlwave.Oil(viscosity_pa_s=0.05, pressure_viscosity_per_pa=2e-8)
+    >>> place = BallOnDisc(ball_diameter_m=0.01905).contact_at(load_n=20,
+    ...     mean_speed_m_per_s=1, oil=oil)
+    >>> print(f"{place.hertz_pressure_pa / 1e9:.2f} GPa")
+    0.82 GPa
+    """
+
+    bodies: tuple[Body, Body]
+    oil: Oil
+    speeds_m_per_s: tuple[float, float]
+    load_n: float
+    length_m: float | None = None
+    angle_deg: float = math.nan
+    name: str = ""
+    others: Mapping[str, float] = field(default_factory=dict)
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def radius_x_m(self) -> float:
+        """Return the reduced radius along rolling."""
+        return reduced_radius(self.bodies[0].radius_x_m, self.bodies[1].radius_x_m)
+
+    @property
+    def radius_y_m(self) -> float:
+        """Return the reduced radius across; infinite of a line."""
+        return reduced_radius(self.bodies[0].radius_y_m, self.bodies[1].radius_y_m)
+
+    @property
+    def load_n_per_m(self) -> float:
+        """Return the load per length of a line; NaN of a point."""
+        return math.nan if self.length_m is None else self.load_n / self.length_m
+
+    @property
+    def mean_speed_m_per_s(self) -> float:
+        """Return the mean of both speeds, which draws the oil in; below 0 where it is reversed."""
+        return sum(self.speeds_m_per_s) / 2
+
+    @property
+    def slide_to_roll_ratio(self) -> float:
+        """Return (u1 - u2) over the mean speed; infinite where no oil is drawn in."""
+        first, second = self.speeds_m_per_s
+        mean = self.mean_speed_m_per_s
+        return (first - second) / mean if mean != 0 else math.inf
+
+    @cached_property
+    def _hertz(self) -> tuple[float, float]:
+        modulus = reduced_modulus(*self.bodies)
+        if self.length_m is not None:
+            return hertz_line(self.load_n_per_m, self.radius_x_m, modulus)
+        found = hertz_point(self.load_n, self.radius_x_m, self.radius_y_m, modulus)
+        return found.semi_axis_x_m, found.pressure_pa
+
+    @property
+    def semi_axis_a_m(self) -> float:
+        """Return the Hertz semi-axis along rolling."""
+        return self._hertz[0]
+
+    @property
+    def hertz_pressure_pa(self) -> float:
+        """Return the largest Hertz pressure."""
+        return self._hertz[1]
+
+    @cached_property
+    def contact(self) -> Contact:
+        """Return the contact, which answers for film, friction, roughness and stress.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: the surfaces move in opposite directions, or the contact lies outside the
+            ranges of its options.
+        """
+        return self.contact_with(self.options)
+
+    def contact_with(self, options: Mapping[str, Any]) -> Contact:
+        """Return the contact with other options of :class:`ehlwave.Contact`.
+
+        Parameters
+        ----------
+        options : mapping
+            In place of its own.
+        """
+        first, second = self.speeds_m_per_s
+        if first * second < 0 or first + second == 0:
+            raise RangeError(
+                f"surface speeds of {first:.4g} and {second:.4g} m/s: the surfaces move in "
+                "opposite directions past the contact, which no law and no case covers "
+                "(slide_to_roll_ratio of -2 to 2)"
+            )
+        given: dict[str, Any] = {"load_n": self.load_n}
+        if self.length_m is not None:
+            given["length_m"] = self.length_m
+        given |= {key: value for key, value in options.items() if value is not None}
+        return Contact.from_bodies(
+            *self.bodies,
+            oil=self.oil,
+            speeds_m_per_s=(abs(first), abs(second)),
+            **given,
+        )

@@ -1,0 +1,196 @@
+"""The report of an element: text, JSON, and one HTML file with its figures inside."""
+
+from __future__ import annotations
+
+import base64
+import io
+import json
+import math
+import re
+from html import escape
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from ehlwave.elements.columns import COLUMNS, TEXTS
+from ehlwave.elements.figure import element_figure
+from ehlwave.elements.formulas import FORMULAS
+
+DOTS_PER_INCH = 130
+STYLE = (
+    "body{font:15px/1.45 sans-serif;max-width:62em;margin:2em auto;padding:0 1em;color:#223}"
+    "table{border-collapse:collapse;font-size:12.5px}td,th{padding:2px 7px;text-align:right;"
+    "border-bottom:1px solid #dde}th{color:#345;text-align:left}caption{text-align:left;"
+    "font-weight:600;padding:.8em 0 .2em}img{max-width:100%}.wide{overflow-x:auto}"
+    ".note{background:#fff6e0;padding:.4em .8em}"
+)
+
+
+def report_text(table: xr.Dataset) -> str:
+    """Return what a terminal shows: worst places, powers, figures of practice, refusals.
+
+    Parameters
+    ----------
+    table : xarray.Dataset
+        Of an element.
+    """
+    lines = [str(table.attrs["element"])]
+    lines += [f"  {part}" for part in str(table.attrs["worst"]).split("; ") if part]
+    for name, words in (
+        ("rolling_power_w", "rolling power, W"),
+        ("rolling_power_error", "relative error of the rolling power"),
+        ("sliding_power_w", "sliding power, W"),
+        ("efficiency", "efficiency"),
+        ("kappa_iso_281", "kappa of ISO 281"),
+        ("reversals_deg", "entrainment reversed at, degrees"),
+        ("opposite_speeds_deg", "surfaces in opposite directions at, degrees"),
+    ):
+        if name in table.attrs:
+            lines.append(f"  {words}: {_written(table.attrs[name])}")
+    left = int(table.attrs["unanswered_places"])
+    if left:
+        lines.append(f"  {left} of {table['load_n'].size} places have no film")
+    lines += [f"  {reason}" for reason in reasons(table)]
+    return "\n".join(lines)
+
+
+def reasons(table: xr.Dataset) -> list[str]:
+    """Return why numbers are missing, each kind once with the number of its places.
+
+    Parameters
+    ----------
+    table : xarray.Dataset
+        Of an element.
+    """
+    return _kinds(table, "refusal")
+
+
+def _kinds(table: xr.Dataset, column: str) -> list[str]:
+    """Return texts of a column; those that differ in numbers alone count as one kind."""
+    first: dict[str, str] = {}
+    counts: dict[str, int] = {}
+    for text in table[column].values.ravel():
+        for part in filter(None, str(text).split("\n")):
+            kind = re.sub(r"\d\S*", "#", part)
+            first.setdefault(kind, part)
+            counts[kind] = counts.get(kind, 0) + 1
+    return [f"{counts[kind]} of {table['load_n'].size} places: {first[kind]}" for kind in first]
+
+
+def report_json(table: xr.Dataset) -> str:
+    """Return attributes and columns as JSON; numbers that are not known are null.
+
+    Parameters
+    ----------
+    table : xarray.Dataset
+        Of an element.
+    """
+    document: dict[str, Any] = {"attributes": {k: _plain(v) for k, v in table.attrs.items()}}
+    document["dimensions"] = {str(name): int(size) for name, size in table.sizes.items()}
+    document["columns"] = {
+        str(name): {**_strings(one.attrs), "dims": list(one.dims), "values": _plain(one.values)}
+        for name, one in table.variables.items()
+    }
+    return json.dumps(document, indent=1)
+
+
+def report_html(table: xr.Dataset, inputs: str = "", drawing_svg: str = "") -> str:
+    """Return the report as one HTML page.
+
+    Parameters
+    ----------
+    table : xarray.Dataset
+        Of an element.
+    inputs : str
+        Text of the input file.
+    drawing_svg : str
+        Drawing of the element.
+    """
+    name = str(table.attrs["element"])
+    given = f"<h2>Input</h2><pre>{escape(inputs)}</pre>" if inputs else ""
+    return (
+        f"<!doctype html><html lang='en'><head><meta charset='utf-8'><title>{name}</title>"
+        f"<style>{STYLE}</style></head><body><h1>{name}</h1>{drawing_svg}"
+        f"{report_body(table)}{given}</body></html>"
+    )
+
+
+def report_body(table: xr.Dataset) -> str:
+    """Return the report as a part of a page: worst places, figures, numbers, sources.
+
+    Parameters
+    ----------
+    table : xarray.Dataset
+        Of an element.
+    """
+    name = str(table.attrs["element"])
+    file = io.BytesIO()
+    element_figure(table).savefig(file, format="png", dpi=DOTS_PER_INCH)
+    picture = base64.b64encode(file.getvalue()).decode()
+    worst = "".join(
+        f"<li>{escape(one)}</li>" for one in str(table.attrs["worst"]).split("; ") if one
+    )
+    notes = "".join(f"<p class='note'>{escape(text)}</p>" for text in reasons(table))
+    notes += "".join(f"<p class='note'>{escape(text)}</p>" for text in _kinds(table, "doubts"))
+    attributes = "".join(
+        f"<tr><th>{escape(key)}</th><td style='text-align:left'>{escape(_written(value))}</td></tr>"
+        for key, value in table.attrs.items()
+        if key != "worst"
+    )
+    formulas = "".join(
+        f"<tr><th>{escape(key)}</th><td style='text-align:left'>{escape(text)}</td></tr>"
+        for key, text in FORMULAS.items()
+        if key in table
+    )
+    return (
+        f"<h2>Worst places</h2><ul>{worst}</ul><h2>Figures</h2>"
+        f"<p>Bands are relative errors.</p><img alt='{name}' "
+        f"src='data:image/png;base64,{picture}'><h2>Not answered, or doubtful</h2>"
+        f"{notes or '<p>Nothing.</p>'}<h2>Numbers of the element</h2><table>{attributes}</table>"
+        f"<h2>Numbers of each place</h2><div class='wide'>{_html_table(table)}</div>"
+        f"<h2>Where the numbers come from</h2><table>{formulas}</table>"
+    )
+
+
+def _html_table(table: xr.Dataset) -> str:
+    """Return a table a ring, a column a place."""
+    parts = []
+    rings = table["ring"].values.tolist() if "ring" in table.dims else [None]
+    for ring in rings:
+        part = table if ring is None else table.sel(ring=ring)
+        rows = []
+        names = [*(str(one) for one in part.coords if one != "ring"), *map(str, part.data_vars)]
+        for name in names:
+            if name in TEXTS:
+                continue
+            unit = COLUMNS[name].unit if name in COLUMNS else str(part[name].attrs.get("units", ""))
+            cells = "".join(f"<td>{_written(value)}</td>" for value in part[name].values.tolist())
+            head = f"{name} [{unit}]" if unit else name
+            rows.append(f"<tr><th>{escape(head)}</th>{cells}</tr>")
+        caption = f"<caption>{ring} ring</caption>" if ring else ""
+        parts.append(f"<table>{caption}{''.join(rows)}</table>")
+    return "".join(parts)
+
+
+def _written(value: Any) -> str:  # noqa: ANN401
+    if isinstance(value, float):
+        return f"{value:.4g}" if math.isfinite(value) else ("-" if math.isnan(value) else "inf")
+    return str(value)
+
+
+def _strings(attributes: dict[Any, Any]) -> dict[str, str]:
+    return {str(key): str(value) for key, value in attributes.items()}
+
+
+def _plain(value: Any) -> Any:  # noqa: ANN401
+    """Return lists, numbers and texts of the standard library; null for what is not finite."""
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if isinstance(value, list):
+        return [_plain(one) for one in value]
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

@@ -1,0 +1,60 @@
+"""What roller bearings have in common: lines, and stiffness by ISO 16281."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ehlwave.elements.bearing import RollingBearing
+from ehlwave.elements.given import above, count
+from ehlwave.elements.hertz import reduced_modulus
+from ehlwave.elements.material import elastic_of
+from ehlwave.errors import SurfaceError
+
+ISO_STIFFNESS = 35948.0
+"""c_L of steel over L^(8/9), N and mm: both contacts of a roller in series, ISO 16281:2008."""
+ISO_MODULUS_PA = 2.1e11 / (1 - 0.3**2)
+
+
+class RollerBearing(RollingBearing):
+    """A single-row roller bearing; its kinds know the cone angles."""
+
+    roller_length_m: float
+    """Effective length."""
+
+    def _take(self, given: dict[str, Any]) -> None:
+        """Check and keep what all roller bearings have."""
+        name = type(self).__name__
+        self.element_diameter_m = above(
+            given["roller_diameter_m"], "roller_diameter_m", name, example="0.011"
+        )
+        self.pitch_diameter_m = above(
+            given["pitch_diameter_m"],
+            "pitch_diameter_m",
+            name,
+            self.element_diameter_m,
+            example="0.06",
+        )
+        self.roller_length_m = above(
+            given["roller_length_m"], "roller_length_m", name, example="0.012"
+        )
+        self.elements = count(given["rollers"], "rollers", name, 3)
+        if self.elements * self.element_diameter_m > 3.1416 * self.pitch_diameter_m:
+            raise SurfaceError(
+                f"{name}: rollers = {self.elements} of roller_diameter_m = "
+                f"{self.element_diameter_m:g} do not fit on pitch_diameter_m = "
+                f"{self.pitch_diameter_m:g}: give fewer"
+            )
+        self.elastic = elastic_of(
+            given["material"], given["elastic_modulus_pa"], given["poisson_ratio"]
+        )
+
+    def length_m(self) -> float:
+        """Return the length of the contacts."""
+        return self.roller_length_m
+
+    @property
+    def stiffness(self) -> float:
+        """Return c_L, N/m^(10/9), in proportion to E'."""
+        modulus = reduced_modulus(*self.bodies("inner", 0.0))
+        iso = ISO_STIFFNESS * (1e3 * self.roller_length_m) ** (8 / 9) * 1e3 ** (10 / 9)
+        return float(iso * modulus / ISO_MODULUS_PA)

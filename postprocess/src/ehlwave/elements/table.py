@@ -1,0 +1,147 @@
+"""The table of an element: a dataset over its places, with the worst places named."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from ehlwave.elements.answers import Questions, Row, row_of
+from ehlwave.elements.columns import COLUMNS, TEXTS
+from ehlwave.elements.place import ElementContact
+
+WORST = {
+    "minimum_film_m": ("thinnest film", min, 1e6, "um"),
+    "isothermal_central_film_m": ("thinnest central film without heat", min, 1e6, "um"),
+    "lambda_ratio": ("smallest lambda ratio", min, 1.0, ""),
+    "isothermal_lambda_ratio": ("smallest lambda ratio without heat", min, 1.0, ""),
+    "hertz_pressure_pa": ("highest Hertz pressure", max, 1e-9, "GPa"),
+    "friction": ("largest friction", max, 1.0, ""),
+    "rise_mid_film_k": ("hottest film", max, 1.0, "K"),
+    "dang_van": ("largest factor of Dang Van", max, 1.0, ""),
+}
+"""Worst value of a column: words, how it is found, factor and unit of the text."""
+
+
+ERRORS = {
+    "minimum_film_m": "minimum_film_error",
+    "central_film_m": "central_film_error",
+    "isothermal_central_film_m": "isothermal_central_film_error",
+    "lambda_ratio": "lambda_error",
+    "isothermal_lambda_ratio": "isothermal_lambda_error",
+    "friction": "friction_error",
+}
+"""Columns of relative errors by the column that they are of."""
+
+
+COORDINATES = {
+    "angle_deg": "angle in degrees",
+    "distance_m": "distance in m",
+    "pinion_angle_deg": "pinion angle in degrees",
+    "speed_m_per_s": "speed in m/s",
+}
+
+
+def table_of(
+    places: Sequence[ElementContact],
+    asked: Questions,
+    coordinate: str,
+    coordinates: Mapping[str, Sequence[Any]],
+) -> xr.Dataset:
+    """Return the answers of contacts over one coordinate.
+
+    Places that are alike are answered once.
+
+    Parameters
+    ----------
+    places : sequence of ElementContact
+        In order.
+    asked : Questions
+        As of :func:`row_of`.
+    coordinate : str
+        Name of the dimension.
+    coordinates : mapping
+        Coordinates over it, by name.
+    """
+    known: dict[tuple[Any, ...], Row] = {}
+    rows = []
+    for place in places:
+        key = _key(place)
+        if key not in known:
+            known[key] = row_of(place, asked)
+        rows.append(known[key])
+    names = [name for name in COLUMNS if any(name in row for row in rows)]
+    data: dict[str, Any] = {
+        name: (coordinate, [_number(row.get(name)) for row in rows]) for name in names
+    }
+    data |= {name: (coordinate, [str(row.get(name, "")) for row in rows]) for name in TEXTS}
+    found = xr.Dataset(data, coords={name: (coordinate, v) for name, v in coordinates.items()})
+    for name in found.variables:
+        if name in COLUMNS:
+            unit, meaning = COLUMNS[str(name)]
+            found[name].attrs |= (
+                {"units": unit, "long_name": meaning} if unit else {"long_name": meaning}
+            )
+        elif name in TEXTS:
+            found[name].attrs["long_name"] = TEXTS[str(name)]
+    return found
+
+
+def worst_places(table: xr.Dataset) -> dict[str, str]:
+    """Return the worst places of a table in words, by column.
+
+    Parameters
+    ----------
+    table : Dataset
+        Of an element.
+    """
+    said = {}
+    for name, (words, choose, factor, unit) in WORST.items():
+        if name not in table or not np.isfinite(table[name].values).any():
+            continue
+        values = table[name]
+        index = values.argmin(...) if choose is min else values.argmax(...)
+        at = values.isel(index)
+        if choose is max and float(at) == 0:
+            continue
+        where = ", ".join(
+            f"{_coordinate(str(key))} {_written(value.item())}" for key, value in at.coords.items()
+        )
+        value = f"{words} {float(at) * factor:.4g} {unit}".rstrip()
+        said[name] = f"{value}{_within(table, name, index)} at {where}"
+    return said
+
+
+def _within(table: xr.Dataset, name: str, index: Any) -> str:  # noqa: ANN401
+    """Return the relative error of a value in words, where it is known."""
+    found = table.get(ERRORS.get(name, ""))
+    share = float("nan") if found is None else float(found.isel(index))
+    return f" within {100 * share:.2g} %" if np.isfinite(share) else ""
+
+
+def unanswered(table: xr.Dataset) -> int:
+    """Return how many places have no central film."""
+    if "central_film_m" not in table:
+        return int(table["load_n"].size)
+    return int(np.isnan(table["central_film_m"].values).sum())
+
+
+def _key(place: ElementContact) -> tuple[Any, ...]:
+    bodies = tuple((b.radius_x_m, b.radius_y_m) for b in place.bodies)
+    others = tuple(round(value, 9) for value in place.others.values())
+    speeds = tuple(round(speed, 12) for speed in place.speeds_m_per_s)
+    return (bodies, speeds, round(place.load_n, 9), place.length_m, others)
+
+
+def _number(value: Any) -> float:  # noqa: ANN401
+    return float("nan") if value is None else float(value)
+
+
+def _coordinate(name: str) -> str:
+    return COORDINATES.get(name, name)
+
+
+def _written(value: Any) -> str:  # noqa: ANN401
+    return value if isinstance(value, str) else f"{value:.4g}"

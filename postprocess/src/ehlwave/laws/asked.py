@@ -1,0 +1,64 @@
+"""The contact that a law is asked about."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from ehlwave.laws.atlas.atlas import Atlas, atlas_for, chart_of
+
+if TYPE_CHECKING:
+    from ehlwave.contact.conditions import Conditions
+    from ehlwave.contact.heat_data import Heat
+    from ehlwave.laws.atlas.chart import Chart
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A contact with everything that laws depend on.
+
+    Attributes
+    ----------
+    conditions : Conditions
+        Operating point; S belongs to the surface that carries the waves.
+    heat : Heat or None
+        Thermal data of oil and bodies; None: isothermal.
+    own_atlas : Atlas or None
+        Another atlas than the shipped one.
+    eyring_stress_pa : float or None
+        Eyring stress of a Ree-Eyring oil, Pa.
+    """
+
+    conditions: Conditions
+    heat: Heat | None = None
+    own_atlas: Atlas | None = None
+    eyring_stress_pa: float | None = None
+
+    def at_slip(self, slip: float) -> Asked:
+        """Return the same contact with another slip parameter."""
+        return replace(self, conditions=replace(self.conditions, slip_parameter=slip))
+
+    def chart(self, slip: float | None = None) -> Chart:
+        """Return the chart of the atlas, at another slip parameter where one is given.
+
+        Raises RangeError outside the atlas.
+        """
+        c = self.conditions
+        return _chart(replace(c, slip_parameter=c.slip_parameter if slip is None else slip), self)
+
+    def atlas(self) -> Atlas:
+        """Return the atlas for the contact, which need not hold it."""
+        return atlas_for(self.conditions, self.own_atlas)
+
+
+def _chart(conditions: Conditions, asked: Asked) -> Chart:
+    return _known_chart(conditions, conditions.names, conditions.given, asked.own_atlas)
+
+
+@lru_cache(maxsize=32)
+def _known_chart(
+    conditions: Conditions, names: object, given: object, own_atlas: Atlas | None
+) -> Chart:
+    """Return a chart; names and given keys count, because messages use them."""
+    return chart_of(conditions, own_atlas)

@@ -1,0 +1,71 @@
+"""Correction of the smallest films of the wide atlas of contacts that roll.
+
+The grids of that atlas resolve central films; the constriction beside them is narrower, and its
+film comes out too thick. ln of the right film over the film of the atlas is a cubic polynomial in
+ln(M/1000), ln(L/10) and ln(D/0.1), fitted to computed contacts on finer grids by
+``scripts/study judged``, which writes ``constriction.json``.
+"""
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib.resources import files
+from itertools import combinations_with_replacement
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ehlwave.contact.conditions import MOES_KEYS
+
+Floats = NDArray[np.float64]
+
+CENTRE = (1000.0, 10.0, 0.1)
+"""M, L and D of which the logarithms count."""
+DEGREE = 3
+LARGEST_M = 12000.0
+"""Of the computed contacts."""
+
+
+@cache
+def fitted() -> Mapping[str, Sequence[float]]:
+    """Return what the study found: ``coefficients``, ``error``, ``low`` and ``high``."""
+    text = (files("ehlwave.laws.atlas") / "constriction.json").read_text(encoding="utf-8")
+    found: Mapping[str, Sequence[float]] = json.loads(text)
+    return found
+
+
+def terms(m: ArrayLike, l: ArrayLike, d: ArrayLike) -> Floats:  # noqa: E741 - the paper's letter
+    """Return the terms of the polynomial, shape (contacts, terms)."""
+    values = (np.log(np.atleast_1d(x) / c) for x, c in zip((m, l, d), CENTRE, strict=True))
+    columns = list(values)
+    powers = [
+        np.prod([columns[i] for i in chosen], axis=0) if chosen else np.ones_like(columns[0])
+        for degree in range(DEGREE + 1)
+        for chosen in combinations_with_replacement(range(3), degree)
+    ]
+    return np.stack(powers, axis=1)
+
+
+def constriction(m: float, l: float, d: float) -> tuple[float, float | None]:  # noqa: E741
+    """Return the factor of the smallest film of the wide atlas, and its relative error.
+
+    Values of the polynomial are held within the range of the computed ones. Beyond the loads that
+    grids resolve the factor is that of the largest, and the error None: that of the atlas stays.
+
+    Examples
+    --------
+    >>> from ehlwave.laws.atlas.constriction import constriction
+    >>> factor, error = constriction(7902, 13.2, 0.031)
+    >>> print(f"{factor:.2f} within {error:.0%}")
+    0.92 within 3%
+    """
+    found = fitted()
+    value = float((terms(min(m, LARGEST_M), l, d) @ np.asarray(found["coefficients"]))[0])
+    factor = math.exp(min(max(value, found["low"][0]), found["high"][0]))
+    return factor, found["error"][0] if m <= LARGEST_M else None
+
+
+def constriction_of(keys: Mapping[str, float]) -> tuple[float, float | None]:
+    """Return the same by the keys of a contact."""
+    return constriction(*(keys[key] for key in MOES_KEYS))

@@ -1,0 +1,84 @@
+"""Ridges along rolling stand still: in a Newtonian oil they do not feel slip."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ehlwave.laws.transfer import Transfer, Waves
+
+
+@dataclass(frozen=True)
+class StandingRidges:
+    """A transfer under slip whose ridges along rolling have the transfer of pure rolling.
+
+    Stationary patterns make no squeeze, and the flow along rolling of a Newtonian oil depends on
+    the mean speed alone. So their response is the same for every S.
+    """
+
+    moving: Transfer
+    standing: Transfer
+
+    @property
+    def name(self) -> str:
+        """Return the description of both transfers."""
+        return f"{self.moving.name}; ridges along rolling: {self.standing.name}"
+
+    @property
+    def covers_all(self) -> bool:
+        """Whether both transfers cover every component."""
+        return self.moving.covers_all and self.standing.covers_all
+
+    @property
+    def outside_reason(self) -> str:
+        """Reason why components are not covered."""
+        found = (self.moving.outside_reason, self.standing.outside_reason)
+        return "; ".join(dict.fromkeys(text for text in found if text))
+
+    @property
+    def has_phase(self) -> bool:
+        """Whether the phases of moving waves are known."""
+        return getattr(self.moving, "has_phase", True)
+
+    def ratio(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[Any]:
+        """Return the transfer for waves per metre along x (any sign) and y."""
+        return self._of_both("ratio", per_length_x, per_length_y)
+
+    def pressure(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[Any]:
+        """Return the pressure transfer, in units of ph/c."""
+        return self._of_both("pressure", per_length_x, per_length_y)
+
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
+        """Return the absolute error of the transfer."""
+        return self._of_both("error", per_length_x, per_length_y)
+
+    def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return the contributions to the mean film; None where either transfer has none."""
+        return self._of_both("rise", per_length_x, per_length_y)
+
+    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
+        """Return whether the transfer of each wave is known rather than continued."""
+        return self._of_both("is_covered", per_length_x, per_length_y)
+
+    def _of_both(self, kind: str, per_length_x: Waves, per_length_y: Waves) -> Any:  # noqa: ANN401
+        qx, qy = np.broadcast_arrays(np.asarray(per_length_x), np.asarray(per_length_y))
+        stands = (qx == 0) & (qy != 0)
+        moving = None if stands.all() else answer_of(self.moving, kind, qx, qy)
+        if not stands.any():
+            return moving
+        standing = answer_of(self.standing, kind, qx[stands], qy[stands])
+        if standing is None or (moving is None and not stands.all()):
+            return None
+        found = np.zeros(qx.shape, np.asarray(standing).dtype)
+        if moving is not None:
+            found = np.array(moving, np.result_type(moving, standing))
+        found[stands] = standing
+        return found
+
+
+def answer_of(transfer: Transfer, kind: str, qx: Waves, qy: Waves) -> Any:  # noqa: ANN401
+    """Return an answer of a transfer for waves of any shape; NaN for pressures it has not."""
+    if kind == "pressure" and not hasattr(transfer, "pressure"):
+        return np.full(np.shape(qx), complex(np.nan, np.nan))
+    return getattr(transfer, kind)(qx, qy)

@@ -1,0 +1,157 @@
+"""Waves in warm contacts, whose temperatures move with the oil.
+
+A warm inlet is an inlet of thinner oil: the response R1 of the isothermal contact whose film is
+as thin as the warm one stands for it. Sliding besides leaves waves nearer to the isothermal
+response R0:
+
+    R = R0 + (R1 - R0)/(1 + c w),   error = (error of R1) + e1 |R1 - R0| + e2 min(w, 3),
+
+w = beta times the rise in the middle of the film, 0 in pure rolling. c, e1 and e2 were fitted to
+marches that carry temperatures with the oil, ``scripts/study judged``, which writes
+``warm_waves.json``.
+"""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from importlib.resources import files
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
+from ehlwave.contact.heat_data import Heat
+from ehlwave.errors import RangeError
+from ehlwave.laws.answers import Film
+from ehlwave.laws.standing_waves import answer_of
+from ehlwave.laws.transfer import Transfer, Waves
+
+Complex = NDArray[np.complex128]
+Floats = NDArray[np.float64]
+
+FILM_POWER = 0.67
+"""Of the viscosity, in the film."""
+MOST_WARMTH = 3.0
+"""From which on the error does not grow."""
+
+
+@cache
+def fitted() -> Mapping[str, Sequence[float]]:
+    """Return the coefficients of the study: ``kept``, c; ``error``, e1 and e2."""
+    text = (files("ehlwave.laws") / "warm_waves.json").read_text(encoding="utf-8")
+    found: Mapping[str, Sequence[float]] = json.loads(text)
+    return found
+
+
+def thinner(conditions: Conditions, film_factor: float) -> Conditions:
+    """Return isothermal conditions whose film is so many times as thick, by their viscosity."""
+    given = dict(conditions.given)
+    given["viscosity_pa_s"] = float(given["viscosity_pa_s"]) * film_factor ** (1 / FILM_POWER)
+    found = conditions_from_keys(given, needs_lengths=False)
+    return replace(found, slip_parameter=conditions.slip_parameter)
+
+
+def warm_ratio(
+    cold: ArrayLike,
+    thin: ArrayLike,
+    warmth: ArrayLike,
+    coefficients: Sequence[float] | Floats | None = None,
+) -> Complex:
+    """Return R by R0, R1 and w.
+
+    Examples
+    --------
+    >>> from ehlwave.laws.warm_waves import warm_ratio
+    >>> complex(warm_ratio(0.8, 0.7, 0.0)).real
+    0.7
+    """
+    c = fitted()["kept"] if coefficients is None else coefficients
+    first, last = (np.asarray(value, dtype=np.complex128) for value in (cold, thin))
+    return np.asarray(first + (last - first) / (1 + np.abs(c[0]) * np.asarray(warmth)))
+
+
+def warm_error(
+    change: ArrayLike, warmth: ArrayLike, coefficients: Sequence[float] | Floats | None = None
+) -> Floats:
+    """Return what the error of R has besides the error of R1, by the size of R1 - R0 and w."""
+    e = fitted()["error"] if coefficients is None else coefficients
+    return np.asarray(e[0] * np.abs(change) + e[1] * np.minimum(warmth, MOST_WARMTH))
+
+
+def warmth_of(film: Film, heat: Heat, slip: float) -> float:
+    """Return w of a contact with heat.
+
+    Raises
+    ------
+    RangeError
+        Under slip in an oil whose rise is not known.
+    """
+    if slip == 1 or film.heated is None:
+        return 0.0
+    if film.heated.friction is None:
+        raise RangeError(
+            "responses under slip with heat need a Ree-Eyring oil (eyring_stress_pa), or compute "
+            "the contact with ehlwave-case, &heat wave_temperatures = 'carried'"
+        )
+    return float(heat.viscosity_temperature_per_k * film.heated.rise_mid_film_k)
+
+
+@dataclass(frozen=True)
+class WarmTransfer:
+    """Transfer of a warm contact by both isothermal ones."""
+
+    cold: Transfer
+    thin: Transfer
+    warmth: float
+
+    @property
+    def name(self) -> str:
+        """Return its description."""
+        return f"{self.cold.name}, with the law of warm waves"
+
+    @property
+    def covers_all(self) -> bool:
+        """Return whether both cover every component shorter than the contact."""
+        return self.cold.covers_all and self.thin.covers_all
+
+    @property
+    def outside_reason(self) -> str:
+        """Return why a component is not covered."""
+        return self.cold.outside_reason or self.thin.outside_reason
+
+    def ratio(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
+        """Return the transfer for waves per metre along x (any sign) and y (not negative)."""
+        cold, thin = (one.ratio(per_length_x, per_length_y) for one in (self.cold, self.thin))
+        return warm_ratio(cold, thin, self.warmth)
+
+    @property
+    def has_phase(self) -> bool:
+        """Whether the phases of waves are known."""
+        return getattr(self.cold, "has_phase", True)
+
+    def pressure(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
+        """Return the pressure transfer, in units of ph/c; NaN where it is not known."""
+        cold, thin = (
+            answer_of(one, "pressure", per_length_x, per_length_y) for one in (self.cold, self.thin)
+        )
+        return warm_ratio(cold, thin, self.warmth)
+
+    def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return what waves add to the mean film of the contact with the thinner oil."""
+        return self.thin.rise(per_length_x, per_length_y)
+
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return the absolute error of the transfer; None if that is not known."""
+        own = self.thin.error(per_length_x, per_length_y)
+        if own is None:
+            return None
+        both = [one.ratio(per_length_x, per_length_y) for one in (self.cold, self.thin)]
+        waves = np.hypot(per_length_x, per_length_y) > 0  # the mean is not deformed
+        return np.asarray(own + waves * warm_error(both[1] - both[0], self.warmth))
+
+    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
+        """Return whether both transfers are known there."""
+        found = [one.is_covered(per_length_x, per_length_y) for one in (self.cold, self.thin)]
+        return np.asarray(found[0] & found[1])

@@ -1,0 +1,103 @@
+"""Roles of columns and channels by the words of their headings, in several languages."""
+
+import re
+import unicodedata
+from dataclasses import dataclass
+from typing import Literal
+
+from ehlwave.surface.units import is_other_unit, known_unit, split_unit
+
+Role = Literal["x", "y", "z", "other"]
+
+_WORDS: dict[str, str] = {
+    "x": "position positions pos length distance traverse lateral path travel abscissa lateralwert"
+    " weg wege länge laenge strecke abstand verfahrweg tastweg messweg abszisse vorschub ort"
+    " longueur distance abscisse déplacement deplacement course posición posicion longitud"
+    " distancia recorrido posizione lunghezza distanza percorso horizontal arclength",
+    "z": "height heights höhe hoehe höhen hoehen hohe höhenwert höhenwerte hauteur altitude altura"
+    " altezza quota elevation topography topographie topografie topo map depth tiefe profondeur"
+    " roughness rauheit rauhigkeit rugosité rugosite rugosidad rugosità waviness welligkeit"
+    " ondulation deviation abweichung écart ecart vertical ordinate ordonnée auslenkung zsensor"
+    " heightsensor zsens",
+    "weak": "profile profil profils profiles profilo perfil profildaten amplitude level raw"
+    " primary total data wert messwert value values signal surface oberfläche displacement",
+    "count": "no nr nummer number num index idx zeile zeilennummer row line ligne spalte column col"
+    " point points punkt punkte punktnummer messpunkt sample samples id count lfd lfdnr numéro"
+    " numero n° nb pt pts",
+    "other": "time zeit temps tiempo tempo uhrzeit timestamp date datum intensity intensität"
+    " intensitaet quality qualität valid gültig mask maske temperature temperatur force kraft load"
+    " last friction reibung speed geschwindigkeit velocity vitesse error fehler phase voltage"
+    " spannung current strom red green blue rgb weight gewicht brightness helligkeit confidence"
+    " deflection lateralforce status flag valide valid stderr std sigma angle winkel slope steigung"
+    " neigung pente gradient curvature krümmung krit",
+}
+_ROLES = {word: role for role, words in _WORDS.items() for word in words.split()}
+_ENDS = {
+    **dict.fromkeys(("weg", "länge", "laenge", "strecke", "position", "abstand"), "x"),
+    **dict.fromkeys(("höhe", "hoehe", "höhen", "tiefe", "abweichung", "rauheit"), "z"),
+    **dict.fromkeys(("profil", "profile", "wert"), "weak"),
+    **dict.fromkeys(("nummer", "index", "zeile", "spalte", "nr"), "count"),
+    **dict.fromkeys(("zeit", "kraft", "geschwindigkeit", "temperatur", "stempel"), "other"),
+}
+_IDEOGRAMS = {
+    "z": ("高さ", "高度", "粗さ", "変位", "うねり", "深さ", "高低"),
+    "x": ("位置", "距離", "長さ", "水平", "横方向", "送り"),
+    "count": ("番号", "行番", "点数"),
+    "other": ("時間", "時刻", "強度", "輝度", "荷重", "温度", "速度"),
+    "weak": ("断面", "曲線", "形状", "データ"),
+}
+SHIFT_JIS_WORDS = tuple(
+    word for words in _IDEOGRAMS.values() for word in words if word not in ("行番",)
+)
+"""Words by which a text in Shift-JIS is told from one in Latin-1."""
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A heading: its text, the role of its column, and its unit of length."""
+
+    text: str
+    role: Role | None
+    """None: the words do not decide it."""
+    unit: str | None
+
+
+def heading_of(text: str) -> Heading:
+    """Return the role and the unit of a heading; times, numbers of rows and forces are other.
+
+    A column without a name among named ones numbers the rows: it is other, too.
+    """
+    if not text.strip():
+        return Heading(text, "other", None)
+    words, unit = split_unit(text.strip().strip('"'))
+    length = None if unit is None else known_unit(unit)
+    if unit is not None and length is None and is_other_unit(unit):
+        return Heading(text, "other", None)
+    return Heading(text, _role(words, length is not None), length)
+
+
+def _role(text: str, has_length: bool) -> Role | None:
+    low = unicodedata.normalize("NFKC", text).lower()
+    letters = re.findall(r"[a-zß-ÿ°]+|[^\W\d_a-zß-ÿ]+", low)
+    kinds = {kind for word in letters for kind in _kinds(word)}
+    if "#" in low:
+        kinds.add("count")
+    if "other" in kinds or ("count" in kinds and not has_length):
+        return "other"
+    axes = {word for word in letters if word in ("x", "y", "z")}
+    if len(axes) == 1:
+        return axes.pop()  # type: ignore[return-value]
+    if axes or kinds >= {"x", "z"}:
+        return None
+    if "x" in kinds:
+        return "x"
+    return "z" if kinds & {"z", "weak"} else None
+
+
+def _kinds(word: str) -> set[str]:
+    """Return the kinds of quantities that a word names."""
+    if word in _ROLES:
+        return {_ROLES[word]}
+    if word.isascii() or not any(ord(letter) > 0x3000 for letter in word):
+        return {kind for end, kind in _ENDS.items() if len(word) > len(end) and word.endswith(end)}
+    return {kind for kind, parts in _IDEOGRAMS.items() if any(part in word for part in parts)}

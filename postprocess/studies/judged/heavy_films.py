@@ -1,0 +1,143 @@
+"""Smallest films of heavy and slender contacts that roll: the wide atlas against fine grids."""
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+import ehlwave
+from ehlwave.errors import EhlwaveError
+from ehlwave.laws.atlas.constriction import terms
+from ehlwave.writing import Writer
+from studies.judged.runs import groups_of, kept, log_uniform, solved
+from studies.sweeps import Row
+
+Floats = NDArray[np.float64]
+
+RIDGE = 0.3
+"""How much coefficients are held to zero, in units of terms."""
+RANGES = {
+    "load_parameter_m": (5.0, 100000.0),
+    "lubricant_parameter_l": (2.0, 42.0),
+    "radius_ratio_d": (0.01, 1.0),
+    "pressure_viscosity_per_pa": (1e-8, 3e-8),
+    "roelands_index": (0.4, 0.8),
+}
+HEAVY_RANGE, ALL = (300.0, 20000.0), 300
+"""M of contacts after so many that have all the range."""
+HEAVY, CELLS, MORE_CELLS = 12000.0, (512, 256), (1024, 384)
+"""M from which on a grid has more cells along X and Y."""
+LARGEST_ERROR = 0.04
+"""Of a computed smallest film; others are left out."""
+
+
+def drawn(number: int) -> dict[str, float]:
+    """Return keys of a contact that rolls, within the wide atlas and outside the usual one."""
+    random = np.random.default_rng([52, number])
+    while True:
+        ranges = RANGES | ({} if number < ALL else {"load_parameter_m": HEAVY_RANGE})
+        keys = {name: log_uniform(random, *ends) for name, ends in ranges.items()}
+        try:
+            film = ehlwave.Contact(**keys).film()
+        except EhlwaveError:
+            continue
+        if "6912" not in film.source:  # of the usual atlas
+            return keys
+
+
+def study(number: int, folder: Path) -> Row:
+    """Return films of the package and of the program, Moes scale."""
+    keys = drawn(number)
+    contact = ehlwave.Contact(**keys)
+    film = contact.film()
+    chart = contact.atlas().at(contact.conditions.atlas_keys())
+    minimum, minimum_error = chart.smallest_of_networks()
+    cells = MORE_CELLS if keys["load_parameter_m"] > HEAVY else CELLS
+    grid = {"cells_x": cells[0], "cells_y": cells[1]}
+    found = solved(groups_of(keys, grid=grid), folder)
+    row: Row = keys | {
+        "central_law": film.central_moes,
+        "minimum_law": minimum,
+        "central_law_error": film.central_error,
+        "minimum_law_error": minimum_error,
+    }
+    if found is None:
+        return row
+    scale = found["central_film_moes"] / found["central_film"]
+    return row | {
+        "central": found["central_film_moes"],
+        "minimum": found["minimum_film"] * scale,
+        "central_error": found["central_film_error"],
+        "minimum_error": found["minimum_film_error"],
+    }
+
+
+def computed(path: Path, count: int, at_once: int) -> list[Row]:
+    """Return rows of so many contacts."""
+    return kept(path, range(count), study, at_once)
+
+
+PACKAGE = Path(__file__).resolve().parents[2] / "src/ehlwave/laws/atlas/constriction.json"
+FOLDS, WITHIN = 12, 0.96
+
+
+def usable(rows: Sequence[Row]) -> pd.DataFrame:
+    """Return the contacts whose smallest film the grid resolves."""
+    table = pd.DataFrame(rows)
+    return table[table["central"].notna() & (table["minimum_error"] < LARGEST_ERROR)]
+
+
+def fit(table: pd.DataFrame) -> tuple[dict[str, list[float]], list[Row]]:
+    """Return what the package reads, and rows before and after the correction, held out."""
+    names = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
+    a = terms(*(table[name].to_numpy() for name in names))
+    y = np.log((table["minimum"] / table["minimum_law"]).to_numpy())
+    fold = np.arange(len(y)) % FOLDS
+    off = np.zeros_like(y)
+    for one in range(FOLDS):
+        left = fold != one
+        off[~left] = a[~left] @ _solved(a[left], y[left]) - y[~left]
+    own = 0.5 * table["minimum_error"].to_numpy()
+    central = table["central_law_error"].to_numpy()
+    corrected = np.maximum(np.abs(np.expm1(off)) - own, 0)
+    error = max(
+        float(np.quantile(corrected - central, WITHIN)), float(corrected.max() / 1.5 - 0.02)
+    )
+    coefficients = _solved(a, y)
+    before = np.maximum(np.abs(np.expm1(-y)) - own, 0)
+    table_rows = [
+        _row("before", before, table["minimum_law_error"].to_numpy()),
+        _row("corrected", corrected, central + error),
+    ]
+    found = {"coefficients": coefficients, "error": [error], "low": [y.min()], "high": [y.max()]}
+    return {name: [float(f"{c:.5g}") for c in values] for name, values in found.items()}, table_rows
+
+
+def _solved(a: Floats, y: Floats) -> Floats:
+    """Return least squares coefficients, held a little to zero."""
+    damped = np.concatenate([a, RIDGE * np.eye(a.shape[1])])
+    found: Floats = np.linalg.lstsq(damped, np.concatenate([y, np.zeros(a.shape[1])]), rcond=None)[
+        0
+    ]
+    return found
+
+
+def _row(law: str, off: Floats, error: Floats) -> Row:
+    times = off / error
+    return {
+        "law": law,
+        "contacts": len(off),
+        "rms": float(np.sqrt(np.mean(off**2))),
+        "mean_error": float(error.mean()),
+        "within": float(np.mean(times <= 1)),
+        "beyond_1.5": float(np.mean(times > 1.5)),
+        "largest": float(off.max()),
+    }
+
+
+def write(found: dict[str, list[float]], path: Path = PACKAGE) -> None:
+    """Write what the package reads."""
+    Writer(overwrite=True).text(path, json.dumps(found, indent=1) + "\n")

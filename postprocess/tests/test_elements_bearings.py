@@ -1,0 +1,235 @@
+"""Bearings: geometry, kinematics and loads by second derivations, and against published values."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.optimize import brentq
+
+import ehlwave
+from ehlwave.elements import DeepGrooveBallBearing
+from ehlwave.elements.boundary import CONFORMITY_ERROR, DIAMETER_ERROR, KNOWN, PITCH_ERROR
+from ehlwave.elements.hertz import hertz_line, hertz_point, reduced_modulus
+from ehlwave.elements.practice import stribeck_load_n
+
+EXACT = 1e-12
+OIL = ehlwave.Oil.from_grade(iso_vg=68, viscosity_index=95, temperature_k=343.15)
+MODULUS = 2.1e11 / 0.91
+
+
+def example(clearance_m: float = 0.0) -> DeepGrooveBallBearing:
+    return DeepGrooveBallBearing(
+        ball_diameter_m=0.0115,
+        pitch_diameter_m=0.0435,
+        balls=7,
+        clearance_m=clearance_m,
+        elastic_modulus_pa=2.1e11,
+    )
+
+
+@pytest.mark.parametrize(("rx", "ry"), [(0.004, 0.15), (0.006, 0.006), (0.02, 0.005)])
+def test_hertz_pressure_deforms_the_bodies_to_a_paraboloid(rx: float, ry: float) -> None:
+    """Boussinesq potentials of an ellipsoidal pressure, by quadrature (Johnson, eq. 3.61)."""
+    found = hertz_point(500, rx, ry, MODULUS)
+    a, b = found.semi_axis_x_m, found.semi_axis_y_m
+    scale = found.pressure_pa * a * b * 2 / MODULUS / 2
+
+    def integral(power_a: int, power_b: int) -> float:
+        def f(t: float) -> float:  # w = b^2 tan^2(t)
+            w = b**2 * math.tan(t) ** 2
+            own = (
+                1
+                / ((a**2 + w) ** power_a * (b**2 + w) ** power_b)
+                / math.sqrt((a**2 + w) * (b**2 + w))
+            )
+            return own * 2 * b / math.cos(t) ** 2
+
+        return quad(f, 0, math.pi / 2, epsabs=0, epsrel=1e-13, limit=400)[0]
+
+    assert scale * integral(0, 0) == pytest.approx(found.approach_m, rel=1e-11)
+    assert scale * integral(1, 0) == pytest.approx(1 / (2 * rx), rel=1e-11)
+    assert scale * integral(0, 1) == pytest.approx(1 / (2 * ry), rel=1e-11)
+    load = 2 / 3 * math.pi * a * b * found.pressure_pa
+    assert load == pytest.approx(500, rel=EXACT)
+
+
+def test_hertz_line_bears_its_load_and_fits_its_radius() -> None:
+    half, pressure = hertz_line(3e5, 6.4e-3, MODULUS)
+    assert math.pi / 2 * half * pressure == pytest.approx(3e5, rel=EXACT)
+    assert pressure == pytest.approx(MODULUS * half / (4 * 6.4e-3), rel=EXACT)
+
+
+def test_speeds_follow_from_vectors_in_the_frame_of_the_cage() -> None:
+    bearing = example()
+    inner, outer = 3000 * 2 * math.pi / 60, 500 * 2 * math.pi / 60
+    race_i = (bearing.pitch_diameter_m - bearing.element_diameter_m) / 2
+    race_o = (bearing.pitch_diameter_m + bearing.element_diameter_m) / 2
+    # Without slip the ball has the speeds of both races at its sides: its centre has their mean.
+    centre = (inner * race_i + outer * race_o) / 2
+    cage = centre / (bearing.pitch_diameter_m / 2)
+    spin = (outer * race_o - inner * race_i) / bearing.element_diameter_m
+    assert bearing.cage_speed_rpm(3000, 500) == pytest.approx(cage * 60 / 2 / math.pi, rel=EXACT)
+    expected = abs((inner - cage) * race_i)
+    assert bearing.surface_speed_m_per_s(3000, 500) == pytest.approx(expected, rel=EXACT)
+    ball = abs((spin - cage) * bearing.element_diameter_m / 2)
+    assert ball == pytest.approx(expected, rel=EXACT)
+    assert abs((outer - cage) * race_o) == pytest.approx(expected, rel=EXACT)
+
+
+def test_loads_balance_the_radial_load_and_follow_from_bisection() -> None:
+    for clearance in (0.0, 1e-5, -5e-6):
+        bearing = example(clearance)
+        zone = bearing.load_zone(radial_load_n=1000)
+        angles = np.radians(360 * np.arange(7) / 7)
+        loads, _ = zone.loads_at(np.degrees(angles))
+        assert (loads * np.cos(angles)).sum() == pytest.approx(1000, rel=EXACT)
+        # Both approaches in series, each solved for by itself, in place of K.
+        races = [bearing.bodies(ring) for ring in ("inner", "outer")]
+
+        def press(load: float, races: list = races) -> float:
+            radii = [
+                [1 / (1 / getattr(a, k) + 1 / getattr(b, k)) for k in ("radius_x_m", "radius_y_m")]
+                for a, b in races
+            ]
+            return sum(hertz_point(load, *r, reduced_modulus(*races[0])).approach_m for r in radii)
+
+        loaded = brentq(
+            lambda q, a=zone.radial_m - clearance / 2: press(q) - a, 1, 5000, xtol=1e-12
+        )
+        assert loads[0] == pytest.approx(loaded, rel=1e-11)
+
+
+def test_combined_loads_come_to_the_radial_ones_and_balance() -> None:
+    bearing = example(1e-5)
+    for tilts in (False, True):
+        zone = bearing.load_zone(radial_load_n=1000, axial_load_n=1000, is_free_to_tilt=tilts)
+        turn = 360 * np.arange(7) / 7
+        loads, angles = zone.loads_at(turn)
+        across = loads * np.cos(np.radians(angles)) * np.cos(np.radians(turn))
+        assert across.sum() == pytest.approx(1000, rel=1e-9)
+        assert (loads * np.sin(np.radians(angles))).sum() == pytest.approx(1000, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("clearance", "loads", "published_um", "within"),
+    [
+        (0.0, {"radial_load_n": 1000}, 15.1101, 1e-5),
+        (1e-5, {"radial_load_n": 1000}, 21.223, 1.2e-5),
+        (0.0, {"axial_load_n": 1000}, 133.5381, 2e-6),
+        (1e-5, {"axial_load_n": 1000}, 149.1717, 2e-6),
+    ],
+)
+def test_displacements_of_masta_quoted_in_a_public_repository(
+    clearance: float, loads: dict[str, float], published_um: float, within: float
+) -> None:
+    """Examples 1 to 4 of Test_BallBearing.py in minzhun/ISO16281."""
+    bearing = example(clearance)
+    zone = bearing.load_zone(**loads)
+    moved = zone.radial_m
+    if "axial_load_n" in loads:
+        grooves = bearing.grooves
+        moved = zone.axial_m + grooves.distance_m * math.sin(grooves.free_angle_rad)
+    assert moved * 1e6 == pytest.approx(published_um, rel=within)
+
+
+def test_combined_displacements_of_masta() -> None:
+    """Example 5: rings that tilt freely; the tilt itself differs by 1 %."""
+    bearing = example(1e-5)
+    zone = bearing.load_zone(radial_load_n=1000, axial_load_n=1000, is_free_to_tilt=True)
+    grooves = bearing.grooves
+    axial = zone.axial_m + grooves.distance_m * math.sin(grooves.free_angle_rad)
+    assert zone.radial_m * 1e6 == pytest.approx(19.5923, rel=3e-5)
+    assert axial * 1e6 == pytest.approx(146.4603, rel=3e-6)
+    assert abs(zone.tilt_rad) * 1e3 == pytest.approx(2.6872, rel=0.012)
+
+
+def test_contacts_have_angles_loads_and_contacts() -> None:
+    places = example().contacts(radial_load_n=1000, inner_speed_rpm=3000, oil=OIL)
+    assert [round(place.load_n, 6) for place in places] == [619.613957, 305.045922, 305.045922]
+    assert [round(place.angle_deg, 2) for place in places] == [0, 51.43, -51.43]
+    first = places[0]
+    assert first.radius_x_m * 1e3 == pytest.approx(4.229885057471264, rel=EXACT)
+    assert first.radius_y_m * 1e3 == pytest.approx(149.5, rel=EXACT)
+    assert first.hertz_pressure_pa == pytest.approx(1.791039128262782e9, rel=1e-10)
+    assert first.mean_speed_m_per_s == pytest.approx(3.177702913975883, rel=EXACT)
+    assert first.contact.conditions.hertz_pa == pytest.approx(first.hertz_pressure_pa, rel=1e-9)
+    outer = example().contacts(radial_load_n=1000, inner_speed_rpm=3000, oil=OIL, ring="outer")[0]
+    assert outer.hertz_pressure_pa == pytest.approx(1.5249554177639029e9, rel=1e-10)
+
+
+def test_6206_against_eng_tools() -> None:
+    """Q = 5 F/Z; their ellipticity is a fit, so that pressures differ by 1 %."""
+    bearing = DeepGrooveBallBearing(
+        ball_diameter_m=9.525e-3,
+        pitch_diameter_m=46e-3,
+        balls=9,
+        conformity=(4.89 / 9.525, 4.89 / 9.525),
+        elastic_modulus_pa=2.1e11,
+    )
+    load = stribeck_load_n(1000, 9, is_ball=True)
+    race, ball = bearing.bodies("inner")
+    radii = [
+        1 / (1 / getattr(race, k) + 1 / getattr(ball, k)) for k in ("radius_x_m", "radius_y_m")
+    ]
+    found = hertz_point(load, *radii, MODULUS)
+    assert found.pressure_pa * 1e-6 == pytest.approx(1745.8521723734002, rel=EXACT)
+    assert found.pressure_pa * 1e-6 == pytest.approx(1728, rel=0.0104)
+
+
+def test_boundary_rules_hold_published_inner_dimensions() -> None:
+    for name, (boundary, (ball, pitch, balls), _) in KNOWN.items():
+        bore, outside, width = (1e-3 * one for one in boundary)
+        found = DeepGrooveBallBearing.from_boundary(bore_m=bore, outside_m=outside, width_m=width)
+        assert found.element_diameter_m == pytest.approx(1e-3 * ball, rel=DIAMETER_ERROR), name
+        assert found.pitch_diameter_m == pytest.approx(1e-3 * pitch, rel=PITCH_ERROR), name
+        assert abs(found.elements - balls) <= 1, name
+    assert 0 < CONFORMITY_ERROR < 0.02
+
+
+def test_load_zone_of_a_6208_has_both_rings_power_and_worst_places() -> None:
+    bearing = DeepGrooveBallBearing.from_boundary(bore_m=0.04, outside_m=0.08, width_m=0.018)
+    found = bearing.over_load_zone(radial_load_n=3000, inner_speed_rpm=3000, oil=OIL, points=5)
+    assert found["central_film_m"].dims == ("ring", "angle_deg")
+    assert np.isfinite(found["central_film_m"].values).all()
+    assert (found["inside_error"].values > 0.01).all()
+    assert (found["central_film_error"] > found["inside_error"]).all()
+    own = bearing.contacts(radial_load_n=3000, inner_speed_rpm=3000, oil=OIL)[0]
+    middle = found.sel(ring="inner").isel(angle_deg=2)
+    assert float(middle["central_film_m"]) == own.contact.film().central_m
+    assert found.attrs["kappa_iso_281"] == pytest.approx(1.87, abs=0.01)
+    assert "ring inner" in found.attrs["worst"]
+    assert found.attrs["rolling_power_w"] == pytest.approx(16.7, rel=0.01)
+
+
+def test_refused_heat_leaves_the_reason_and_the_film_without() -> None:
+    bearing = DeepGrooveBallBearing.from_boundary(bore_m=0.04, outside_m=0.08, width_m=0.018)
+    found = bearing.over_load_zone(
+        radial_load_n=30000, inner_speed_rpm=3000, oil=OIL, points=1, heat=True
+    )
+    for ring in ("inner", "outer"):
+        one = found.sel(ring=ring)
+        answered = np.isfinite(float(one["central_film_m"])) if "central_film_m" in one else False
+        assert answered or str(one["refusal"].values[0])
+        assert np.isfinite(one["isothermal_central_film_m"].values).all()
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"balls": 0}, "balls = 0 must be a whole number of at least 3"),
+        ({"balls": 30}, "do not fit"),
+        ({"conformity": 0.4}, "above 0.5"),
+        ({"ball_diameter_m": -1}, "ball_diameter_m = -1"),
+        ({"pitch_diameter_m": 0.01}, "pitch_diameter_m = 0.01 must be above 0.0115"),
+    ],
+)
+def test_wrong_bearings_are_refused_by_name(changed: dict[str, object], said: str) -> None:
+    given = {"ball_diameter_m": 0.0115, "pitch_diameter_m": 0.0435, "balls": 7} | changed
+    with pytest.raises(ehlwave.SurfaceError, match=said):
+        DeepGrooveBallBearing(**given)  # type: ignore[arg-type]
+
+
+def test_no_load_is_refused() -> None:
+    with pytest.raises(ehlwave.SurfaceError, match="radial_load_n is missing"):
+        example().contacts(inner_speed_rpm=3000, oil=OIL)

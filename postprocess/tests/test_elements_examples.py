@@ -1,0 +1,92 @@
+"""Elements in TOML files: each example answers, by the command, with its reports."""
+
+import doctest
+import json
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+import ehlwave
+from ehlwave import elements
+from ehlwave.cli import main
+from ehlwave.elements.document import CALLS, KINDS, read_element
+from ehlwave.elements.drawing import DRAWINGS, drawing_svg
+
+FOLDER = Path(__file__).parents[1] / "examples" / "elements"
+FILES = sorted(FOLDER.glob("*.toml"))
+
+
+def kind_of(path: Path) -> str:
+    return next(kind for kind, names in KINDS.items() if read_element(path).name in names)
+
+
+def test_each_element_has_an_example_and_a_drawing() -> None:
+    assert {read_element(path).name for path in FILES} == set(CALLS) == set(DRAWINGS)
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_examples_answer(path: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([kind_of(path), str(path), "--output", str(tmp_path / "report"), "--json"]) == 0
+    said = json.loads(capsys.readouterr().out)
+    written = {one.name for one in (tmp_path / "report").iterdir()}
+    assert {"report.html", "report.json", "table.csv", "cases.csv", "sweep.nml"} <= written
+    page = (tmp_path / "report" / "report.html").read_text(encoding="utf-8")
+    assert "data:image/png;base64," in page
+    assert "<svg" in page
+    assert "http" not in page.split("<svg")[0]
+    assert json.loads((tmp_path / "report" / "report.json").read_text(encoding="utf-8")) == said
+    assert said["attributes"]["element"] == read_element(path).name
+    known = [
+        value is not None
+        for name in ("central_film_m", "isothermal_central_film_m")
+        for value in str(said["columns"].get(name, {}).get("values", [])).split(",")
+        if value.strip("[] ") not in ("", "None")
+    ]
+    assert known
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("SpurGearPair", "SpurGears", "element = 'SpurGears': give one of SpurGearPair"),
+        ("module_m", "modul_m", "unknown modul_m"),
+        ("pinion_torque_n_m = 150", "", "pinion_torque_n_m is missing"),
+        ("pinion_speed_rpm", "speed_rpm", "unknown speed_rpm"),
+        ("[oil]", "[oil", "not a TOML file"),
+        ("module_m = 0.003", "module_m = -3", "module_m = -3 must be above 0"),
+        ("iso_vg = 220", "iso_vg = 219", "no grade"),
+        ("heat = true", "warm = true", "unknown warm"),
+    ],
+)
+def test_wrong_files_are_refused_by_name(
+    old: str, new: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (FOLDER / "gear_module_3.toml").read_text(encoding="utf-8")
+    assert old in text
+    path = tmp_path / "gear.toml"
+    path.write_text(text.replace(old, new), encoding="utf-8")
+    assert main(["gear", str(path)]) == 2
+    assert said in capsys.readouterr().err
+
+
+def test_a_bearing_is_no_gear(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["gear", str(FOLDER / "bearing_6208.toml")]) == 2
+    assert "give one of SpurGearPair, HelicalGearPair" in capsys.readouterr().err
+
+
+def test_drawings_are_the_same_again() -> None:
+    assert drawing_svg("CamFollower") == drawing_svg("CamFollower")
+    with pytest.raises(ehlwave.EhlwaveError):
+        drawing_svg("Screw")
+
+
+MODULES = sorted(
+    path.stem for path in Path(elements.__file__).parent.glob("*.py") if path.stem != "__init__"
+)
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_examples_of_docstrings_print_what_they_say(name: str) -> None:
+    module = import_module(f"ehlwave.elements.{name}")
+    assert doctest.testmod(module).failed == 0
