@@ -61,6 +61,9 @@ def module(keys: Sequence[dict[str, Any]]) -> str:
     text = "Of :class:`ehlwave.Contact`."
     parts.append(CLASS.format(name="ContactKeys", base="TypedDict", text=text))
     parts += [_member(name, key) for name, key in contact.items()]
+    parts.append("\n\nGROUP_OF = {\n")
+    parts += [f'    "{name}": "{key["group"]}",\n' for name, key in known.items()]
+    parts.append('}\n"""Group of each key in a file."""\n')
     return "".join(parts)
 
 

@@ -51,7 +51,7 @@ def test_what_a_ratio_means_is_all_that_its_error_leaves_open(
 def test_no_regime_is_named_where_the_error_is_not_known(tmp_path: Path, capsys: Capture) -> None:
     """At S = 2 the law of the two waves has no error."""
     file = trace_file(tmp_path, 0.05)
-    assert main(["lambda", file, *words(slip_parameter=2.0)]) == 0
+    assert main(["lambda", file, *words(slip_parameter=2.0), "--by", "two-waves"]) == 0
     first = capsys.readouterr().out.splitlines()[0]
     assert "error not known. Mean film" in first
     assert not any(name in first for name in REGIMES)

@@ -118,7 +118,9 @@ def test_where_no_one_quantity_leads_inside_several_do() -> None:
 
     with pytest.raises(RangeError, match=r"the nearest inside the atlas has load_n = ") as caught:
         film(0.3, 100)
-    words = str(caught.value).split("the nearest inside the atlas has ")[1].split()
+    words = (
+        str(caught.value).split("the nearest inside the atlas has ")[1].split(". The")[0].split()
+    )
     numbers = [float(words[i + 1]) for i, word in enumerate(words) if word == "="]
     assert film(*numbers).central_m
 

@@ -82,7 +82,7 @@ def test_one_column_of_heights_needs_a_direction(tmp_path: Path) -> None:
     np.save(tmp_path / "column.npy", column)
     units = ReadOptions("um", "um", 2.0)
     for source in (column, pd.DataFrame({"z": HEIGHTS}), tmp_path / "column.npy"):
-        with pytest.raises(SurfaceError, match="one column of unknown direction.*rolling_axis="):
+        with pytest.raises(SurfaceError, match=r"one column of unknown direction.*rolling_axis="):
             read_surface(source, units)  # type: ignore[arg-type]
     assert read_surface(HEIGHTS, units).trace_axis == "x"
     assert read_surface(HEIGHTS, ReadOptions("um", "um", 2.0, rolling_axis="y")).trace_axis == "y"

@@ -4,13 +4,14 @@ import sys
 from pathlib import Path
 from types import SimpleNamespace
 
-import f90nml
 import numpy as np
 import pytest
 import xarray as xr
 
 import ehlwave
 from ehlwave.driver import key_table
+from ehlwave.inputs.namelist import scan_namelist
+from ehlwave.inputs.namelist_values import plain
 from ehlwave.programs.programs import find_program, namelist
 from ehlwave.programs.progress import counted, following, run_following
 from ehlwave.results.case_figures import case_figure, undeformed_history, units_of
@@ -49,8 +50,15 @@ def test_input_files_have_fortran_values() -> None:
 @pytest.mark.parametrize("name", ["O'Brien/trace.h5", "trail\\", "\\'x", "a\tb", "'", '&x / ! "y"'])
 def test_texts_are_read_as_they_were_given(name: str) -> None:
     groups = {"surface": {"file": name}, "sweep": {"names": [name, "b"], "count": np.int64(3)}}
-    read = f90nml.reads(namelist(groups)).todict()
-    assert read == {"surface": {"file": name}, "sweep": {"names": [name, "b"], "count": 3}}
+    read = scan_namelist("texts", namelist(groups).encode())
+    entries = {key: entry.values for key, entry in read.entries.items()}
+    found = {key: [plain(value) for value in values] for key, values in entries.items()}
+    expected = {
+        ("surface", "file"): [name],
+        ("sweep", "names"): [name, "b"],
+        ("sweep", "count"): [3],
+    }
+    assert found == expected
 
 
 @needs_programs

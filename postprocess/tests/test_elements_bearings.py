@@ -30,7 +30,7 @@ def example(clearance_m: float = 0.0) -> DeepGrooveBallBearing:
 
 @pytest.mark.parametrize(("rx", "ry"), [(0.004, 0.15), (0.006, 0.006), (0.02, 0.005)])
 def test_hertz_pressure_deforms_the_bodies_to_a_paraboloid(rx: float, ry: float) -> None:
-    """Boussinesq potentials of an ellipsoidal pressure, by quadrature (Johnson, eq. 3.61)."""
+    """Boussinesq potentials of an ellipsoidal pressure, by quadrature (Johnson, formula 3.61)."""
     found = hertz_point(500, rx, ry, MODULUS)
     a, b = found.semi_axis_x_m, found.semi_axis_y_m
     scale = found.pressure_pa * a * b * 2 / MODULUS / 2

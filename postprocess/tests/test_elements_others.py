@@ -191,7 +191,7 @@ def test_two_steel_balls_of_stachowiak_and_batchelor() -> None:
 
 
 def test_rolling_resistance_has_the_limits_of_the_papers() -> None:
-    """Part 1, eq. (41): 1.47 U^(3/4) E' R; eq. (40): 1.42 (U W)^(1/2) E' R; part 2, eq. (31)."""
+    """Formulas 41 and 40 of part 1, 1.47 U^(3/4) and 1.42 (U W)^(1/2); formula 31 of part 2."""
     modulus, radius = 2.26e11, 0.01
     heavy = rolling_force(5e4, radius, math.inf, modulus, 0.01, 1.0, 0.01) / 0.01
     speed = 2 * 0.01 * 1.0 / (modulus * radius)

@@ -4,7 +4,6 @@ import json
 from pathlib import Path
 from typing import Any
 
-import f90nml
 import numpy as np
 import pytest
 
@@ -23,6 +22,7 @@ from ehlwave.contact.file_keys import (
 from ehlwave.driver import key_table
 from ehlwave.errors import ProgramError, RangeError, SurfaceError
 from ehlwave.operating_point import contact_of
+from ehlwave.programs.programs import namelist
 
 Capture = pytest.CaptureFixture[str]
 READING = ["--length-unit", "mm", "--height-unit", "um"]
@@ -60,7 +60,7 @@ def file_of(folder: Path, groups: dict[str, dict[str, Any]], **more: dict[str, A
     names = dict.fromkeys((*groups, *more))
     whole = {name: groups.get(name, {}) | more.get(name, {}) for name in names}
     path = folder / "contact.nml"
-    f90nml.Namelist(whole).write(path, force=True)
+    path.write_text(namelist(whole))
     return str(path)
 
 
@@ -98,8 +98,9 @@ def other_value(row: dict[str, Any], given: dict[str, Any]) -> Any:  # noqa: ANN
     high = row["maximum"] if row["maximum"] == row["maximum"] else None
     start = row["default"] if isinstance(row["default"], (int, float)) else None
     if start and start == start and (high is None or start * 1.5 <= high):
-        return start + 2 if row["kind"] == "whole" else start * 1.5
-    return 0.5 * ((low or 0) + (1.0 if high is None else high))
+        return int(start) + 2 if row["kind"] == "whole" else start * 1.5
+    middle = 0.5 * ((low or 0) + (1.0 if high is None else high))
+    return round(middle + 0.5) if row["kind"] == "whole" else middle
 
 
 def test_every_key_that_may_change_an_answer_changes_it_or_is_named(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ import pytest
 import ehlwave
 from ehlwave.cli import command_names
 
-HEAVY = ("numpy", "scipy", "pandas", "xarray", "h5py", "matplotlib", "lmfit", "f90nml")
+HEAVY = ("numpy", "scipy", "pandas", "xarray", "h5py", "matplotlib", "lmfit")
 SOURCE = Path(ehlwave.__file__).parents[1]
 
 

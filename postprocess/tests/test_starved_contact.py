@@ -149,7 +149,7 @@ def test_components_outside_the_law_are_not_judged_and_count_in_the_error() -> N
 )
 def test_what_is_refused(keys: dict[str, float], said: str) -> None:
     with pytest.raises((SurfaceError, RangeError), match=said):
-        ehlwave.Contact(**({**MOES, "oil_over_flooded": 0.5} | keys))
+        ehlwave.Contact(**({**MOES, "oil_over_flooded": 0.5} | keys)).film(by="laws")
 
 
 def test_waves_and_laws_that_are_refused() -> None:

@@ -1,6 +1,5 @@
 from pathlib import Path
 
-import f90nml
 import numpy as np
 import pandas as pd
 import pytest
@@ -10,6 +9,7 @@ from ehlwave.cli import main
 from ehlwave.driver import Case, key_groups
 from ehlwave.errors import ProgramError, SurfaceError
 from ehlwave.inputs.effective_input import keys_of_input
+from ehlwave.inputs.namelist import scan_namelist
 from ehlwave.laws import table_keys
 from ehlwave.surface import TableTransfer, conditions_from_keys, read_table
 
@@ -141,13 +141,13 @@ def test_a_key_of_a_newer_program_must_not_vary(tmp_path: Path, capsys: Capture)
     assert "differ in heat (0.0, 1.0)" in capsys.readouterr().err
 
 
-def test_effective_inputs_are_read_as_f90nml_reads_them() -> None:
+def test_effective_inputs_are_read_as_input_files_are() -> None:
     try:
         case = Case(**MOES, cells_x=32, cells_y=32, slip_parameter=1.5)
     except ProgramError:
         pytest.skip("no program")
     text = str(case.run().attrs["effective_input"])
-    groups = f90nml.reads(text).todict()
+    groups = scan_namelist("effective input", text.encode()).values()
     expected = {key: value for keys in groups.values() for key, value in keys.items()}
     found = keys_of_input(text)
     assert len(found) > 20

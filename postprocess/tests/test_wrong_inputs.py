@@ -411,7 +411,7 @@ def words(name: str, right: Iterable[str]) -> str:
 
 
 CHOICES = [
-    (rough, "by", LAWS),
+    (rough, "by", (*LAWS, "laws")),
     (rough, "form", FORMS),
     (rough, "ends", WINDOWS),
     (rough, "decimal", DECIMALS),
@@ -432,7 +432,7 @@ def test_another_word_is_refused_with_those_that_there_are(
     door: Callable[..., object], name: str, known: Iterable[str]
 ) -> None:
     for wrong in (words(name, known), next(iter(known)).upper() + " ", 3, None, 1.5, ["x"]):
-        if wrong is None and name in ("decimal", "length_unit", "height_unit", "edges"):
+        if wrong is None and name in ("by", "decimal", "length_unit", "height_unit", "edges"):
             continue
         with pytest.raises(ehlwave.EhlwaveError) as caught:
             door(**{name: wrong})
@@ -532,7 +532,7 @@ COMMANDS = [
     (
         TOO_LIGHT,
         "load_n = 0.5 gives M",
-        "--formula recommended",
+        "--by recommended",
         [*TOO_LIGHT, "--formula", "recommended"],
     ),
     ([*DEFORM, RATIO, "30", *UNITS], "slide_to_roll_ratio = 30", "did you mean 0.3?", UNDER_SLIP),

@@ -34,7 +34,7 @@ contains
                        heat%body(1)%heat_capacity_j_per_kg_k) > 0) missing = '&heat body_conductivity_w_per_m_k, '// &
             'body_density_kg_per_m3 or body_heat_capacity_j_per_kg_k'
          if (missing /= '') then
-            call raise(error, missing//' is missing or 0: &heat needs a value above 0')
+            call raise(error, missing//' is missing: &heat needs it')
          else if (.not. case%is_dimensional) then
             call raise(error, '&heat needs the dimensions of the contact: give &conditions by dimensional data '// &
                '(radius_x_m, ...) in place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')

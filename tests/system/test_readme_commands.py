@@ -58,7 +58,7 @@ PYTHON = ("import ", "ehlwave.", "contact", "ball, disc = ", "oil = ", "results 
 COMMANDS = ("build/", "scripts/", "ehlwave ", "ehlwave-", "python3 ", "pip ", "cmake ", "sbatch ", "qsub ", "module ", "mpirun ", "settings=")
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
-HAS_PACKAGES = all(importlib.util.find_spec(name) for name in ("xarray", "scipy", "matplotlib", "f90nml", "lmfit", "SurfaceTopography"))
+HAS_PACKAGES = all(importlib.util.find_spec(name) for name in ("xarray", "scipy", "matplotlib", "lmfit", "SurfaceTopography"))
 
 
 def indented(readme):

@@ -349,7 +349,8 @@ class Heat(TestCase):
         cases = {
             "surface at rest": groups({**row, "slide_to_roll_ratio": 2.0}, 256),
             "&lubricant temperature_k is missing": groups(row, 256, lubricant={"temperature_k": 0.0}),
-            "&heat oil_density_kg_per_m3 is missing or 0: &heat needs a value above 0": groups(row, 256, heat={"oil_density_kg_per_m3": 0.0}),
+            "'oil_density_kg_per_m3' in &heat: 0.0 is out of range: write a value in kg/m3, above 0": groups(
+                row, 256, heat={"oil_density_kg_per_m3": 0.0}),
             "knows the temperature by its volume": free_volume(row, heat={"oil_expansion_per_k": 0.0}),
             "response = 'periodic' does not take &heat": groups(row, 256, waviness={
                 "orientation": "transverse", "wavelength_over_a": 1.0, "response": "periodic"}),

@@ -84,7 +84,7 @@ def _renamed(dataset: xr.Dataset) -> xr.Dataset:
             whole = dataset[new].fillna(dataset[old]).assign_attrs(dataset[new].attrs)
             dataset = dataset.drop_vars(old).assign({new: whole})
         elif old in dataset:
-            dataset = dataset.rename({old: new})
+            dataset = dataset.rename_vars({old: new})
     return dataset
 
 

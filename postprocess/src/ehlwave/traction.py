@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import f90nml
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
@@ -15,6 +14,8 @@ from ehlwave.choices import TRACTION_RATIOS
 from ehlwave.contact.heat_data import EMPTY_HEAT
 from ehlwave.driver import Study, key_groups
 from ehlwave.errors import ArgumentError, ProgramError, SurfaceError
+from ehlwave.inputs.key_values import values_of
+from ehlwave.inputs.namelist import read_namelist
 from ehlwave.inputs.slip import RATIO, SLIP
 from ehlwave.results.schema import SETTLED
 
@@ -95,15 +96,19 @@ def read_keys(path: str | Path) -> dict[str, Any]:
     if not Path(path).is_file():
         raise ArgumentError(f"{path}: no such file: give an input file of ehlwave-case")
     try:
-        groups = f90nml.read(path)
-    except Exception as error:  # f90nml's parser reports bad syntax by whatever it stumbles into
-        raise ArgumentError(f"{path}: not a namelist file ({error})") from error
+        file = read_namelist(path)
+    except SurfaceError as error:
+        raise ArgumentError(str(error)) from error
     for name in ("sweep", *UNUSED):
-        if groups.get(name):
+        if any(group == name for group, _ in file.entries):
             raise ArgumentError(
                 f"{path}: has &{name}: friction over slip is that of one smooth contact in its "
                 "steady state: remove it"
             )
+    try:
+        groups = values_of(file)
+    except SurfaceError as error:
+        raise ArgumentError(str(error)) from error
     if "heat" in groups and not groups["heat"]:
         raise ArgumentError(f"{path}: {EMPTY_HEAT}")
     return {key: value for group in groups.values() for key, value in group.items()}

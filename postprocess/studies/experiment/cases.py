@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import f90nml
-
 from ehlwave.errors import ResultsError
+from ehlwave.inputs.key_values import values_of
+from ehlwave.inputs.namelist import read_namelist
 from ehlwave.surface import conditions_from_keys
 from studies.experiment.trace import AMPLITUDE_UM, WAVELENGTH_UM
 
@@ -68,7 +68,7 @@ def read_input(path: Path) -> Groups:
     """
     if not path.is_file():
         raise ResultsError(f"{path}: no such file; --inputs names the folder of experiment.nml")
-    return {name: dict(keys) for name, keys in f90nml.read(path).items()}
+    return values_of(read_namelist(path))
 
 
 def keys_of(run: Run, base: Groups, smooth_film_m: float | None = None) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from subprocess import TimeoutExpired
 from typing import Any
 
 from ehlwave.contact import conditions_from_keys
+from ehlwave.writing import keep_own_file
 from studies.programs import Groups, namelist, run
 from studies.sweeps import Row
 
@@ -18,8 +19,7 @@ SECONDS = 120.0
 def solved(groups: Groups, folder: Path) -> Row | None:
     """Return the result of a case; None if it was refused, did not converge or took too long."""
     path = folder / "case.nml"
-    folder.mkdir(parents=True, exist_ok=True)
-    path.write_text(namelist(groups), encoding="utf-8")
+    keep_own_file(path, namelist(groups).encode())
     try:
         outcome = run("case", path, "--json", "--quiet", seconds=SECONDS)
     except TimeoutExpired:
@@ -48,13 +48,10 @@ def kept(
     def lane(first: int) -> list[Row]:
         return [one(number) for number in missing if number % at_once == first]
 
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with ThreadPoolExecutor(at_once) as pool, path.open("a", encoding="utf-8") as file:
+    with ThreadPoolExecutor(at_once) as pool:
         for done in pool.map(lane, range(at_once)) if at_once > 1 else _each(missing, one):
-            for row in done:
-                file.write(json.dumps(row) + "\n")
-                rows[row["number"]] = row
-            file.flush()
+            rows |= {row["number"]: row for row in done}
+            keep_own_file(path, "".join(f"{json.dumps(row)}\n" for row in rows.values()).encode())
     return [rows[number] for number in numbers]
 
 

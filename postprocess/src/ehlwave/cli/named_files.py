@@ -1,18 +1,18 @@
 """What a command reads: files that its words name, and those that its input files name.
 
-Needs the standard library alone, until there is an input file.
+Needs the standard library alone.
 """
 
 import argparse
-import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
+
+from ehlwave.errors import SurfaceError
+from ehlwave.inputs import namelist_values
+from ehlwave.inputs.namelist import read_namelist
 
 OUTPUTS = ("output", "csv", "parquet", "netcdf", "vtk")
 """Options that name what is written; every other path is an input."""
-
-LARGEST_INPUT_FILE = 2**20
-"""Bytes; what is larger is no input file of the programs."""
 
 
 def inputs(options: argparse.Namespace) -> Iterator[str | Path]:
@@ -34,25 +34,8 @@ def inputs(options: argparse.Namespace) -> Iterator[str | Path]:
 def _texts_in(path: Path) -> Iterator[str]:
     """Return the texts that an input file of the programs gives its keys; none of another file."""
     try:
-        if not path.is_file() or path.stat().st_size > LARGEST_INPUT_FILE:
-            return
-        text = path.read_text(encoding="utf-8", errors="surrogateescape")
-        if "\0" in text or not re.search(r"^\s*&\w", text, re.MULTILINE):
-            return
-        import f90nml
-
-        groups = f90nml.reads(text)
-    except Exception:  # f90nml's parser reports bad syntax by whatever it stumbles into
+        entries = read_namelist(path).entries.values() if path.is_file() else ()
+    except (OSError, SurfaceError):
         return  # whoever uses the file says what is wrong with it
-    for group in groups.values():
-        yield from _texts_of(group)
-
-
-def _texts_of(value: object) -> Iterator[str]:
-    if isinstance(value, str):
-        yield value
-    elif isinstance(value, dict):
-        yield from _texts_of(list(value.values()))
-    elif isinstance(value, Iterable):
-        for part in value:
-            yield from _texts_of(part)
+    for entry in entries:
+        yield from (namelist_values.word(value) for value in entry.values if value.is_quoted)

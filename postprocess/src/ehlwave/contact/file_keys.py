@@ -8,14 +8,14 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-import f90nml
-
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.contact.heat_data import EMPTY_HEAT
 from ehlwave.contact.starvation import OIL_OVER_FLOODED
 from ehlwave.errors import SurfaceError, printable
 from ehlwave.hints import did_you_mean
 from ehlwave.inputs.key_classes import HEAT_DATA, OF_THE_SOLUTION, OF_WAVES, WITHOUT_EFFECT
+from ehlwave.inputs.key_values import values_of
+from ehlwave.inputs.namelist import Namelist, read_namelist
 
 GROUPS = ("conditions", "lubricant", "heat", "inlet", "grid", "solver", "dynamics", "output")
 OF_ROUGHNESS = ("waviness", "waviness2", "surface", "surface2")
@@ -41,7 +41,7 @@ OTHER_INLET_KEYS = {
 }
 """Keys of ``&inlet`` that no law answers for, and why."""
 
-NOT_USED = {
+NOT_USED: dict[str, tuple[float | str, str]] = {
     "edges": ("flooded", "films are those of flooded edges"),
     "load_balance": ("force_balance", "responses are those under a load that does not change"),
     "load_factor": (1, "films and responses are those of the load before its step"),
@@ -78,28 +78,30 @@ def keys_of_file(path: Path) -> dict[str, Any]:
         raise SurfaceError(
             f"{place}: no such file; give an input file of ehlwave-case or KEY=VALUE"
         )
-    try:
-        # f90nml's parser reports bad syntax by whatever exception it stumbles into.
-        groups = f90nml.read(path)
-    except Exception as error:
-        raise SurfaceError(f"{place}: not a namelist file ({error})") from error
+    file = read_namelist(path)
+    groups = values_of(file)
     if "conditions" not in groups:
         raise SurfaceError(f"{place}: has no group &conditions")
-    _check_groups(groups, place)
-    found = {key: value for name in GROUPS for key, value in groups.get(name, {}).items()}
-    for key in found:
+    _check_groups(groups, file, place)
+    found: dict[str, Any] = {}
+    for (group, key), entry in file.entries.items():
+        if group in OF_ROUGHNESS:
+            continue
+        line = f"{file.path}:{entry.line}"
         if not is_classified(key):
             near = did_you_mean(key, (*USED, *NOT_USED, *OTHER_INLET_KEYS))
-            raise SurfaceError(f"{place}: unknown key {printable(key)}{near}")
+            raise SurfaceError(f"{line}: unknown key {key}{near}")
+        found[key] = groups[group][key]
     return {key: value for key, value in found.items() if key not in LEFT_OUT}
 
 
-def _check_groups(groups: Mapping[str, Any], place: str) -> None:
+def _check_groups(groups: Mapping[str, Any], file: Namelist, place: str) -> None:
     for name in groups:
         if name not in (*GROUPS, *OF_ROUGHNESS):
             near = did_you_mean(name, (*GROUPS, *OF_ROUGHNESS))
             raise SurfaceError(
-                f"{place}: &{printable(name)} is no group of ehlwave-case{near}: remove it"
+                f"{file.path}:{file.groups[name]}: &{name} is no group of ehlwave-case{near}: "
+                "remove it"
             )
     if "heat" in groups and "oil_conductivity_w_per_m_k" not in groups["heat"]:
         raise SurfaceError(f"{place}: {EMPTY_HEAT}")
@@ -117,5 +119,16 @@ def notices(keys: Mapping[str, Any]) -> list[str]:
     return [
         f"{key} = {printable(str(keys[key]))} is not used: {reason}"
         for key, (usual, reason) in NOT_USED.items()
-        if key in keys and str(keys[key]).lower() != str(usual)
+        if key in keys and not _is_same(keys[key], usual)
     ]
+
+
+def _is_same(value: object, usual: float | str) -> bool:
+    """Return whether a value, typed or of a file, is the usual one."""
+    text = str(value).lower()
+    if isinstance(usual, str):
+        return text == usual
+    try:
+        return float(text) == usual
+    except ValueError:
+        return False

@@ -102,12 +102,14 @@ def row_of(place: ElementContact, asked: Questions) -> Row:
         **place.others,
     }
     reasons: list[str] = []
-    film = _film(place, asked, row, reasons)
-    if asked.trace is not None:
-        with warnings.catch_warnings(record=True) as raised:
-            warnings.simplefilter("always", ExtrapolationWarning)
+    if asked.heat:
+        _film_without_heat(place, asked, row, reasons)
+    with warnings.catch_warnings(record=True) as raised:
+        warnings.simplefilter("always", ExtrapolationWarning)
+        film = _film(place, row, reasons)
+        if asked.trace is not None:
             _roughness(place, asked, row, reasons)
-        row["doubts"] = "\n".join(dict.fromkeys(str(one.message) for one in raised))
+    row["doubts"] = "\n".join(dict.fromkeys(" ".join(str(one.message).split()) for one in raised))
     if place.slide_to_roll_ratio == 0 and asked.oil_over_flooded is None:
         row |= starved_row(place, row, asked.oil_layer_m)
     _power(place, row, film)
@@ -115,16 +117,23 @@ def row_of(place: ElementContact, asked: Questions) -> Row:
     return row
 
 
-def _film(place: ElementContact, asked: Questions, row: Row, reasons: list[str]) -> Film | None:
-    """Add films, friction and temperatures; with heat also the film without."""
-    if asked.heat:
-        options = asked.options | {"heat": None}
-        try:
-            cold = place.contact_with(options).film()
-            row["isothermal_central_film_m"] = cold.central_m
-            row["isothermal_central_film_error"] = cold.central_error
-        except REFUSALS as error:
-            reasons.append(f"without heat: {error}")
+def _film_without_heat(
+    place: ElementContact, asked: Questions, row: Row, reasons: list[str]
+) -> None:
+    """Add the film without heat; its doubts are those of the film with heat, or of none."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ExtrapolationWarning)
+            cold = place.contact_with(asked.options | {"heat": None}).film()
+    except REFUSALS as error:
+        reasons.append(f"without heat: {error}")
+        return
+    row["isothermal_central_film_m"] = cold.central_m
+    row["isothermal_central_film_error"] = cold.central_error
+
+
+def _film(place: ElementContact, row: Row, reasons: list[str]) -> Film | None:
+    """Add films, friction and temperatures."""
     try:
         film = place.contact.film()
     except REFUSALS as error:
@@ -134,8 +143,8 @@ def _film(place: ElementContact, asked: Questions, row: Row, reasons: list[str])
         row[f"{name}_film_m"] = getattr(film, f"{name}_m")
         row[f"{name}_film_error"] = getattr(film, f"{name}_error")
     rolls = place.slide_to_roll_ratio == 0
-    row["friction"] = 0.0 if rolls and film.friction is None else film.friction
-    row["friction_error"] = 0.0 if rolls and film.friction is None else film.friction_error
+    row["friction"] = 0.0 if rolls else film.friction  # like surfaces of like speed
+    row["friction_error"] = 0.0 if rolls else film.friction_error
     row["source"] = film.source
     if film.heated is not None:
         row["rise_mid_film_k"] = film.heated.rise_mid_film_k

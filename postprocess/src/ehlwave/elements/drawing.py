@@ -33,6 +33,7 @@ def drawing_svg(element: str) -> str:
     True
     """
     from matplotlib import rc_context
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
     from matplotlib.figure import Figure
 
     chosen(element, "element", DRAWINGS, "drawing_svg")
@@ -43,7 +44,7 @@ def drawing_svg(element: str) -> str:
         DRAWINGS[element](axes)
         axes.set_aspect("equal")
         axes.set_axis_off()
-        figure.savefig(file, format="svg", metadata={"Date": None})
+        FigureCanvasSVG(figure).print_svg(file, metadata={"Date": None})
     text = file.getvalue()
     text = text[text.index("<svg") :]
     size = 'style="width:100%;max-width:460pt;height:auto"'

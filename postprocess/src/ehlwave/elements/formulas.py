@@ -19,8 +19,8 @@ FORMULAS = {
     "lambda_ratio_before": "mean film over Rq as made",
     "dang_van": "ehlwave.Contact.stress: the larger factor of both bodies",
     "life_ratio": "Ioannides and Harris (1985), over that of smooth surfaces",
-    "rolling_resistance_n": "Biboulet and Houpert (2010), part 1 eq. (42), part 2 eq. (32), times "
-    "the factor of the warm inlet with heat",
+    "rolling_resistance_n": "Biboulet and Houpert (2010), part 1 formula 42, part 2 formula 32, "
+    "times the factor of the warm inlet with heat",
     "rolling_power_w": "2 F u",
     "sliding_power_w": "friction times load times |u1 - u2|",
     "iso_film_m": "1600 rho G^0.6 U^0.7 W^-0.13 S^0.22, ISO/TR 15144-1:2010 from memory",

@@ -125,8 +125,12 @@ def report_body(table: xr.Dataset) -> str:
         Of an element.
     """
     name = str(table.attrs["element"])
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
     file = io.BytesIO()
-    element_figure(table).savefig(file, format="png", dpi=DOTS_PER_INCH)
+    figure = element_figure(table)
+    figure.set_dpi(DOTS_PER_INCH)
+    FigureCanvasAgg(figure).print_png(file)
     picture = base64.b64encode(file.getvalue()).decode()
     worst = "".join(
         f"<li>{escape(one)}</li>" for one in str(table.attrs["worst"]).split("; ") if one

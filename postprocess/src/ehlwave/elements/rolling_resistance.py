@@ -1,8 +1,8 @@
 """Rolling resistance of the oil in the inlet: Biboulet and Houpert (2010).
 
 N. Biboulet and L. Houpert, *Hydrodynamic force and moment in pure rolling lubricated contacts*,
-Proc. IMechE Part J, 224 (2010): part 1, line contacts, 765-775, equation (42); part 2, point
-contacts, 777-787, equation (32). The force is the one at each of both surfaces, so that the power
+Proc. IMechE Part J, 224 (2010): part 1, line contacts, 765-775, formula 42; part 2, point
+contacts, 777-787, formula 32. The force is the one at each of both surfaces, so that the power
 is twice force times mean speed. Flooded, isothermal; fitted from M = 0.2 to 200 (lines) and 800
 (points), L of 4 to 16.
 """
@@ -73,7 +73,7 @@ def rolling_force(
 
 
 def _line_force(load_n_per_m: float, radius_m: float, modulus_pa: float, speed: float) -> float:
-    """Return the force over the length, N/m: equation (42) of part 1, T times p_h b^2/R."""
+    """Return the force over the length, N/m: formula 42 of part 1, T times p_h b^2/R."""
     load = load_n_per_m / (modulus_pa * radius_m)
     m = load / math.sqrt(speed)
     t = 1.4 / m / (1 + (1.4 / 1.45 * math.sqrt(m)) ** 10) ** 0.1

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import RectBivariateSpline
+from scipy.interpolate import CubicSpline, RectBivariateSpline
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.formula import recommended_ratio
@@ -195,8 +195,10 @@ class AtlasTransfer:
             if one is None:
                 self._lookups[key] = _between(logs, angles, parts)
             else:
+                fine = np.linspace(logs[0], logs[-1], REFINED * (WAVES - 1) + 1)
+                curves = [CubicSpline(logs, part[:, 0])(fine) for part in parts]
                 self._lookups[key] = lambda log, _: np.stack(
-                    [np.interp(log, logs, part[:, 0]) for part in parts]
+                    [np.interp(log, fine, curve) for curve in curves]
                 )
         return self._lookups[key]
 

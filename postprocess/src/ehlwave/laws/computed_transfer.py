@@ -18,6 +18,7 @@ from ehlwave.laws.atlas_transfer import SHORT_WAVE_POWER, AtlasTransfer
 from ehlwave.laws.computed_film import computed_film
 from ehlwave.laws.computed_waves import (
     AMPLITUDE,
+    FIRST,
     MOST,
     Base,
     Complex,
@@ -52,6 +53,8 @@ NEGLIGIBLE_FROZEN = 0.05
 """The same error below which linear responses answer; above it marches do."""
 MARCHED, MOST_MARCHED, MARCHED_ACCURACY, SMALL = (0.3, 3.0), 13, 0.05, 0.02
 """Marches: wavelengths over a, largest number, accuracy, and Ai over the film."""
+MARCHED_ELLIPSE, MOST_ELLIPSE, FIRST_ELLIPSE = (0.5, 3.0), 9, 5
+"""The same of contacts that are no lines, and the number of their first waves."""
 FINER: dict[str, Any] = {"cells_x": 256, "cells_y": 128}
 """Grid of marches that stall on the planned one."""
 MARCHED_COLUMNS = "amplitude_ratio_fit", "phase_fit"
@@ -175,12 +178,14 @@ class ComputedTransfer(AtlasTransfer):
             bases: list[Base] = [no_base]
             if base := self._law(angle):
                 bases.append(base)
-            rows, ends, most = self._rows, WAVE_RANGE, MOST
+            rows, ends, most, first = self._rows, WAVE_RANGE, MOST, FIRST
             if self._warms(angle):
-                rows, ends, most = self._marches, MARCHED, MOST_MARCHED
+                rows, ends, most, first = self._marches, MARCHED, MOST_MARCHED, FIRST
+                if not self._conditions.is_line:  # a march takes up to a minute
+                    ends, most, first = MARCHED_ELLIPSE, MOST_ELLIPSE, FIRST_ELLIPSE
             tolerance = STARVED_TOLERANCE if self._conditions.is_starved else TOLERANCE
             self._curves[angle] = refined(
-                lambda waves: rows(waves, angle), ends, tolerance, bases, most
+                lambda waves: rows(waves, angle), ends, tolerance, bases, most, first
             )
         return self._curves[angle]
 

@@ -90,6 +90,7 @@ def refined(
     tolerance: float,
     bases: Sequence[Base] = (no_base,),
     most: int = MOST,
+    first: int = FIRST,
 ) -> Responses:
     """Return responses with an interpolation error below a tolerance, where `most` waves do.
 
@@ -105,15 +106,17 @@ def refined(
         Of these the one with the smallest errors is taken.
     most : int
         Largest number of waves.
+    first : int
+        Number of waves of the first set.
 
     Raises
     ------
     ProgramError
         If waves inside the range cannot be computed.
     """
-    log: Waves = np.linspace(np.log(ends[0]), np.log(ends[1]), FIRST)
+    log: Waves = np.linspace(np.log(ends[0]), np.log(ends[1]), first)
     rows = list(compute(np.exp(log)))
-    between = np.full(FIRST - 1, np.inf)
+    between = np.full(first - 1, np.inf)
     base = bases[0]
     while log.size < most and np.any(between > tolerance):
         halves = np.flatnonzero(between > tolerance)[: most - log.size]

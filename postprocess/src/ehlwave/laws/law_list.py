@@ -208,8 +208,8 @@ def _to_compute(asked: Asked) -> str:
     except (RangeError, SurfaceError):
         return ""
     return (
-        ". The program ehlwave-case computes it and is not installed here: save this input as "
-        f"contact.nml and run ehlwave-case contact.nml --output contact.h5\n{text}"
+        " The program ehlwave-case computes it and is not installed here: save the line `"
+        f"{' '.join(text.split())}` as contact.nml and run: ehlwave-case contact.nml"
     )
 
 
@@ -242,5 +242,5 @@ def _film(asked: Asked, by: str | None) -> Film:
         if by == "laws":
             raise
         if not has_programs():
-            raise RangeError(f"{error}{_to_compute(asked)}") from error
+            raise RangeError(f"{error}.{_to_compute(asked)}") from error
     return computed_film(asked.conditions, asked.heat)

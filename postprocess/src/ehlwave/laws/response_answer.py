@@ -31,9 +31,10 @@ def response_of(
     a_m = conditions.semi_axis_a_m
     qx, qy = one_wave(wavelength_over_a * (a_m if np.isfinite(a_m) else 1.0), angle_deg)
     if not bool(transfer.is_covered(qx, qy)[0]):
+        reason = transfer.outside_reason.partition(": continued")[0]
         raise RangeError(
             f"wavelength_over_a = {wavelength_over_a:.5g} at angle_deg = {angle_deg:.5g} lies "
-            f"outside {transfer.name}: {transfer.outside_reason}"
+            f"outside the law: {reason}"
         )
     error = transfer.error(qx, qy)
     return Response(

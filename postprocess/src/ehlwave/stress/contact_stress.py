@@ -33,7 +33,9 @@ class SmoothFilm(Protocol):
 class OperatingPoint(Protocol):
     """Interface of a contact for stresses; :class:`ehlwave.Contact` is one."""
 
-    conditions: Conditions
+    @property
+    def conditions(self) -> Conditions:
+        """Operating conditions of the contact."""
 
     def deform(self, surface: Surface | SurfaceSource, **options: Any) -> Deformed:  # noqa: ANN401
         """Return a measured surface as it is inside the contact."""

@@ -43,7 +43,6 @@ class Ehlwave(CMakePackage, PythonExtension):
         depends_on("py-matplotlib@3.7:")
         depends_on("py-lmfit@1.2:")
         depends_on("py-pandas@2.0:")
-        depends_on("py-f90nml@1.4:")
 
     depends_on("python@3.10:", type="test", when="~python")   # ehlwave-accept
 

@@ -1,4 +1,4 @@
-"""The one call: a contact, its film, its responses to waves, surfaces inside it."""
+"""A contact with rough surfaces: their shapes, stresses and lambda ratios inside it."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.laws.film_answer import with_film
 from ehlwave.laws.notices import warn
 from ehlwave.laws.transfer import Transfer
+from ehlwave.operating_point.wavy import WavyContact
 from ehlwave.surface.film_profile import second_conditions
 from ehlwave.surface.pair import DeformedPair
 from ehlwave.surface.predict import Cutoffs, Deformed, deform_surface
@@ -20,7 +21,6 @@ from ehlwave.surface.prepare import Form, Window
 from ehlwave.surface.raw_surface import SurfaceSource
 from ehlwave.surface.read import ReadOptions, read_surface
 from ehlwave.surface.surface import Surface
-from ehlwave.wavy_contact import WavyContact
 
 if TYPE_CHECKING:
     from ehlwave.stress.rough import RoughStress

@@ -10,8 +10,8 @@ from ehlwave.inputs.slip import slip_given
 from ehlwave.laws.answers import Response
 from ehlwave.laws.response_answer import response_of
 from ehlwave.laws.responses import response_table, responses_figure
+from ehlwave.operating_point.smooth import SmoothContact
 from ehlwave.quantities import number
-from ehlwave.smooth_contact import SmoothContact
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -68,6 +68,8 @@ class WavyContact(SmoothContact):
         slip_parameter = slip_given(slip_parameter, slide_to_roll_ratio, "response")
         wavelength_over_a = number(wavelength_over_a, "wavelength_over_a")
         angle_deg = number(angle_deg, "angle_deg")
+        if not wavelength_over_a > 0:
+            raise RangeError(f"wavelength_over_a = {wavelength_over_a:.5g} must be above 0")
         if not -1e-9 <= angle_deg <= 90 + 1e-9:
             raise RangeError(
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"

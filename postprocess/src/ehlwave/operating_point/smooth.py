@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ehlwave.choices import FILM_BY, chosen_or_none
+from ehlwave.choices import FILM_BY, HOW, LAWS, chosen_or_none
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
@@ -68,7 +68,16 @@ class SmoothContact:
 
     @property
     def heat(self) -> Heat | None:
-        """Thermal data of oil and bodies; None: isothermal."""
+        """Thermal data of oil and bodies; None: isothermal.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...     radius_ratio_d=1)
+        >>> contact.heat is None
+        True
+        """
         return self._heat
 
     @property
@@ -76,6 +85,14 @@ class SmoothContact:
         """Operating conditions, with the central film that :meth:`film` returns.
 
         Where no law holds the film is unknown, None, until :meth:`film` has computed it.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...     radius_ratio_d=1)
+        >>> contact.conditions.m
+        100.0
         """
         if self._given.has_given_film or self._given.metres_per_moes is None:
             return self._given
@@ -106,7 +123,7 @@ class SmoothContact:
         >>> contact.replace(load_parameter_m=200)
         Contact(M=200, L=10, D=1, S=1)
         """
-        own = {"heat": self._heat, "atlas": self._atlas, **self._keys}
+        own: dict[str, Any] = {"heat": self._heat, "atlas": self._atlas, **self._keys}
         if RATIO in changes:
             own.pop(SLIP, None)
         if SLIP in changes:
@@ -236,6 +253,7 @@ class SmoothContact:
         return Asked(c, self._heat, self._own_atlas(), self._eyring_stress_pa)
 
     def _transfer(self, slip: float | None, by: str | None) -> Transfer:
+        chosen_or_none(by, "by", (*LAWS, *HOW))
         key = slip, by
         if key not in self._transfers:
             self._transfers[key] = transfer_for(self._asked(slip), by)
