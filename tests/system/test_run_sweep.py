@@ -46,6 +46,9 @@ touch tried
 sleep 1
 exit 143
 """
+# Open MPI that locks up in the trial start, as mpirun does where about 30 files may be open.
+LOCKS_UP_WHEN_TRIED = IS_TRIED.replace("sleep 1\nexit 143", "exec sleep 600")
+SHORT_S = 60   # far below the trial that locks up
 
 
 class RunSweep(FolderTest):
@@ -77,20 +80,40 @@ class RunSweep(FolderTest):
         self.assertIn("start 1 of at most 5 again", outcome.stdout)
         self.assertIn("6 of 6 cases are in the store already", outcome.stdout)
 
-    def test_a_signal_while_the_launcher_is_tried(self):
-        (self.folder/"mpirun").write_text(IS_TRIED)
+    def start_beside(self, mpirun, patience):
+        """Start the sweep by this mpirun."""
+        (self.folder/"mpirun").write_text(mpirun)
         (self.folder/"mpirun").chmod(0o755)
         variables = {name: value for name, value in os.environ.items() if name != "EHLWAVE_LAUNCHER"}
-        variables["PATH"] = f"{self.folder}:{os.environ['PATH']}"
-        with subprocess.Popen([SCRIPT, "sweep.nml", "--ranks", "1", "--output", "results.h5"], cwd=self.folder, text=True,
-                              env=variables, stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
-            end = time.monotonic() + HANGS_S
-            while not (self.folder/"tried").exists() and time.monotonic() < end:
-                time.sleep(0.01)
-            process.terminate()
-            said, _ = process.communicate(timeout=HANGS_S)
-        self.assertEqual(process.returncode, 85, said)
-        self.assertRegex(said, r"the same command goes on \(exit status 85\)\n$")
+        variables |= {"PATH": f"{self.folder}:{os.environ['PATH']}", "EHLWAVE_PATIENCE": str(patience)}
+        return subprocess.Popen([SCRIPT, "sweep.nml", "--ranks", "1", "--output", "results.h5"], cwd=self.folder, text=True,
+                                env=variables, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+
+    def said_by(self, process):
+        """Output of a process up to its end, which comes soon."""
+        try:
+            return process.communicate(timeout=SHORT_S)[0]
+        except subprocess.TimeoutExpired:
+            process.kill()
+            raise
+
+    def test_a_signal_while_the_launcher_is_tried(self):
+        for mpirun in (IS_TRIED, LOCKS_UP_WHEN_TRIED):
+            (self.folder/"tried").unlink(missing_ok=True)
+            with self.start_beside(mpirun, patience=600) as process:
+                end = time.monotonic() + SHORT_S
+                while not (self.folder/"tried").exists() and time.monotonic() < end:
+                    time.sleep(0.01)
+                process.terminate()
+                said = self.said_by(process)
+            self.assertEqual(process.returncode, 85, said)
+            self.assertRegex(said, r"the same command goes on \(exit status 85\)\n$")
+
+    def test_a_trial_that_locks_up_is_ended(self):
+        with self.start_beside(LOCKS_UP_WHEN_TRIED, patience=1) as process:
+            said = self.said_by(process)
+        self.assertEqual(process.returncode, 4, said)
+        self.assertIn("1 ranks cannot be started", said)
 
     def test_a_start_that_never_comes_is_ended(self):
         (self.folder/"launcher").write_text(NEVER_STARTS)
