@@ -87,7 +87,7 @@ contains
                call result%starved%take(steady%multigrid%levels, steady%flooded, result%work)
                call add_warning(result, result%starved%warning(level%problem%grid))
             end if
-            call result%rolling%take(steady%multigrid%levels(size(steady%multigrid%levels):1:-1), plan%inlet%is_short())
+            result%rolling = steady%rolling
             call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, case%tolerance, result)
             associate (heat => result%heat)
                result%friction_error = result%friction_error + heat%settling*result%shear%cancellation &

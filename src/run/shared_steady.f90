@@ -12,6 +12,7 @@ module ehlwave_shared_steady
    use ehlwave_oil_sensitivity, only: by_alpha, by_stress, differentiate_steady
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_rescue, only: rescue_t, rung_direct
+   use ehlwave_rolling_result, only: rolling_result_t
    use ehlwave_shear_stress, only: friction_at
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
@@ -30,6 +31,7 @@ module ehlwave_shared_steady
       type(full_multigrid_t) :: multigrid
       type(energy_t) :: energy                       !! of the steady state, where it is with heat
       type(heat_result_t) :: heat                    !! and the account of it
+      type(rolling_result_t) :: rolling              !! its resistance to rolling
       type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
       class(harmonic_solver_t), allocatable :: response          !! about the finest level
       type(tangent_change_t) :: by_oil(2)            !! of its state, by ln(alpha) and by ln(stress), see
@@ -120,6 +122,12 @@ contains
             call starve(self%rescue, self%multigrid, plan%inlet, limits_of(case), coarse_tolerance, self%flooded)
       end associate
       if (case%heat%is_given()) call warm(self, case, plan)
+      ! before `linearise` solves the coarser level again, so that kept states have the same error
+      self%rolling = rolling_result_t()
+      associate (levels => self%multigrid%levels)
+         if (levels(size(levels))%report%status == status_converged) &
+            call self%rolling%take(levels(size(levels):1:-1), plan%inlet%is_short())
+      end associate
       self%work = self%multigrid%work()
    end subroutine prepare
 
