@@ -25,6 +25,8 @@ from ehlwave.surface.read import ReadOptions, read_surface
 from ehlwave.surface.surface import Surface
 
 Row = dict[str, Any]
+LONGEST = 300
+"""Characters of a reason: programs print their whole plan."""
 REFUSALS = (RangeError, StressError, ProgramError)
 """Errors that leave a number out, with their message as the reason; others are the user's."""
 
@@ -121,7 +123,7 @@ def row_of(place: ElementContact, asked: Questions) -> Row:
     if place.slide_to_roll_ratio == 0 and asked.oil_over_flooded is None:
         row |= starved_row(place, row, asked.oil_layer_m)
     _power(place, row, film)
-    row["refusal"] = "\n".join(dict.fromkeys(" ".join(one.split()) for one in reasons))
+    row["refusal"] = "\n".join(dict.fromkeys(" ".join(one.split())[:LONGEST] for one in reasons))
     return row
 
 
