@@ -295,7 +295,9 @@ def test_the_smallest_film_is_below_the_central_one_or_not_known() -> None:
 def test_the_file_has_units_provenance_and_a_checksum(tmp_path: Path, kind: Kind) -> None:
     assert shipped(kind).stat().st_size < 200_000
     with xr.open_dataset(shipped(kind), **AS_STORED) as opened:
-        data = opened.load().drop_encoding()
+        data = opened.load()
+    for variable in data.variables.values():
+        variable.encoding = {}
     assert data.attrs["checksum"] == checksum(data)
     assert "revision" in data.attrs["program"]
     assert all("long_name" in data[name].attrs for name in data.variables)

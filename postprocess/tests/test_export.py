@@ -52,7 +52,7 @@ def write_case(path: Path, *, in_metres: bool = True) -> Path:
 def test_tables_are_the_same_in_every_format(results_file: Path, tmp_path: Path) -> None:
     csv, nc = tmp_path / "r.csv", tmp_path / "r.nc"
     assert main(["export", str(results_file), "--csv", str(csv), "--netcdf", str(nc)]) == 0
-    table = pd.read_csv(csv)
+    table = pd.read_csv(csv, float_precision="round_trip")
     assert table["case"].tolist() == list(range(1, 61))
     with xr.open_dataset(nc, engine="h5netcdf") as opened:
         np.testing.assert_array_equal(opened["v"].values, table["v"].values)

@@ -66,7 +66,8 @@ def test_every_package_is_in_its_extra() -> None:
 def test_the_core_answers_without_extras() -> None:
     keys = ", ".join(CONTACT)
     done = without(f"print(ehlwave.Contact({keys}).film().central_m)\nimport ehlwave.stress")
-    assert (done.returncode, done.stderr) == (0, "")
+    assert done.returncode == 0, done.stderr
+    assert "missing" not in done.stderr  # a warning of the warm inlet stands there
     assert float(done.stdout) == pytest.approx(8.35e-7, rel=1e-2)
 
 

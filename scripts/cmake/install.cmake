@@ -83,7 +83,7 @@ configure_file(${packaging}/modulefile.in ${made}/modulefile @ONLY)
 install(FILES ${made}/modulefile DESTINATION ${modules}/ehlwave RENAME ${PROJECT_VERSION} COMPONENT core)
 
 install(DIRECTORY postprocess/src/ehlwave postprocess/src/ehlwave_post DESTINATION ${EHLWAVE_INSTALL_PYTHONDIR} COMPONENT python
-        FILES_MATCHING PATTERN "*.py" PATTERN "*.nc" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+        FILES_MATCHING PATTERN "*.py" PATTERN "*.nc" PATTERN "*.json" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 file(RELATIVE_PATH python_folder ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_PREFIX}/${EHLWAVE_INSTALL_PYTHONDIR})
 file(READ postprocess/pyproject.toml python_packages)
 string(REGEX REPLACE ".*\ndependencies = \\[([^]]*)\\].*" "\\1" python_packages "${python_packages}")

@@ -63,8 +63,6 @@ class AtlasTransfer:
                 "holds those with a Ree-Eyring oil, eyring_stress_pa; name the law of the two "
                 "waves, or give a harmonic table of this slip"
             )
-        if conditions.oil.other_laws:
-            raise RangeError(_of_other_laws(conditions))
         self._conditions = conditions
         self._atlas = atlas_for(conditions, atlas)
         self._chart: Chart = chart_of(conditions, atlas)
@@ -237,8 +235,6 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
     """
     if _keeps_film(conditions):
         return conditions
-    if conditions.oil.other_laws:
-        raise RangeError(_of_other_laws(conditions))
     chart = chart_of(replace(conditions, slip_parameter=conditions.film_slip), atlas)
     film = chart.film()
     error = film.central_error + conditions.oil_error + conditions.starvation_error
@@ -254,14 +250,6 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
         central_film_m=film.central_moes * conditions.metres_per_moes * conditions.film_ratio,
         film_source=source,
         central_film_error=error,
-    )
-
-
-def _of_other_laws(conditions: Conditions) -> str:
-    """Return why an oil is not that of the atlas."""
-    return (
-        f"{', '.join(conditions.oil.other_laws)}: the atlas holds Roelands' oil without a limit of "
-        "the stress; give a harmonic table, or compute the contact with ehlwave-case"
     )
 
 

@@ -159,9 +159,12 @@ def chart_of(conditions: Conditions, atlas: Atlas | None = None) -> Chart:
     Raises
     ------
     RangeError
-        If it lies outside; the message says what would be inside, in what it was given by. If its
-        oil thins more in the inlet than an atlas of Newtonian oils can answer for.
+        If it lies outside; the message names the range in the user's own quantities. If its oil
+        has laws of viscosity or density that the atlas does not hold, or thins more in the inlet
+        than an atlas of Newtonian oils can answer for.
     """
+    if conditions.oil.other_laws:
+        raise RangeError(_of_other_laws(conditions))
     found = atlas_for(conditions, atlas)
     refuse_outside(conditions, found.kind)
     keys, kind = conditions.atlas_keys(), thinned_kind(conditions)
@@ -196,3 +199,11 @@ def load_atlas(path: str | Path = SHIPPED) -> Atlas:
     'rolling'
     """
     return Atlas(read_stored(path))
+
+
+def _of_other_laws(conditions: Conditions) -> str:
+    """Return why an oil is not that of the atlas."""
+    return (
+        f"{', '.join(conditions.oil.other_laws)}: the atlas holds Roelands' oil without a limit of "
+        "the stress; give a harmonic table, or compute the contact with ehlwave-case"
+    )

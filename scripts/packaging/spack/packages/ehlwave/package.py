@@ -36,7 +36,7 @@ class Ehlwave(CMakePackage, PythonExtension):
     extends("python@3.10:", when="+python")
     with when("+python"), default_args(type="run"):
         depends_on("py-numpy@1.24:")
-        depends_on("py-scipy@1.10:")
+        depends_on("py-scipy@1.12:")
         depends_on("py-h5py@3.8:")
         depends_on("py-xarray@2023.6:")
         depends_on("py-h5netcdf@1.2:")
