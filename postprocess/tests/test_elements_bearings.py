@@ -205,7 +205,7 @@ def test_load_zone_of_a_6208_has_both_rings_power_and_worst_places() -> None:
 def test_refused_heat_leaves_the_reason_and_the_film_without() -> None:
     bearing = DeepGrooveBallBearing.from_boundary(bore_m=0.04, outside_m=0.08, width_m=0.018)
     found = bearing.over_load_zone(
-        radial_load_n=30000, inner_speed_rpm=3000, oil=OIL, points=1, heat=True
+        radial_load_n=30000, inner_speed_rpm=3000, oil=OIL, points=1, heat=True, by="laws"
     )
     for ring in ("inner", "outer"):
         one = found.sel(ring=ring)

@@ -157,7 +157,7 @@ def test_reversed_entrainment_is_named_and_refused() -> None:
     # r_b + l + 2 l'' = 0: 18 + 4 + 4 c - 32 c = 0 with c = cos(2 (angle - 180)).
     expected = math.degrees(math.acos(22 / 28)) / 2
     assert (180 - first, last - 180) == pytest.approx((expected, expected), abs=0.01)
-    found = cam.over_cycle(cam_speed_rpm=1000, oil=OIL, points=12)
+    found = cam.over_cycle(cam_speed_rpm=1000, oil=OIL, points=12, by="laws")
     assert "160.9" in found.attrs["reversals_deg"]
     nose = found.sel(angle_deg=180.0)
     assert math.isnan(float(nose["central_film_m"]))

@@ -27,6 +27,7 @@ _LOG = logging.getLogger("ehlwave.app")
 EYRING = "Ree-Eyring"
 PAIRS = ("teeth", "profile_shift")
 COUNTS = ("balls", "rollers", "teeth_1", "teeth_2")
+ANSWERS = {"by laws, in seconds": "laws", "by laws, else computed, in minutes": None}
 HEAT = {"isothermal": False, "with heat (oil by data sheet)": True}
 
 
@@ -51,6 +52,7 @@ class ElementTab:
         self.oil.kind.value = BY_GRADE
         self.oil.flow.value = EYRING
         self.heat = select("Film and friction", HEAT)
+        self.by = select("Answered", ANSWERS)
         self.file = FileField(sizing_mode="stretch_width", margin=(4, 6))
         self.button = pn.widgets.Button(
             name="Compute", button_type="primary", sizing_mode="stretch_width", margin=(8, 6)
@@ -59,7 +61,7 @@ class ElementTab:
         self.element.param.watch(self._show, "value")
         self._show()
         surface = section("Roughness of race, pinion or cam (optional)", self.file)
-        head, last = in_rows([self.element]), in_rows([self.heat])
+        head, last = in_rows([self.element]), in_rows([self.heat, self.by])
         parts = (head, self.drawing, *self.views.values(), last)
         self.inputs = column(section(name, *parts), self.oil.view, surface, self.button)
         self.first = pn.pane.HTML("", stylesheets=OUTPUT, sizing_mode="stretch_width")
@@ -93,6 +95,8 @@ class ElementTab:
                 "angle_deg": angle,
                 "lift_m": np.where(np.abs(angle - 180) < half, wave, 0.0),
             }
+        if self.by.value is not None:
+            conditions["by"] = self.by.value
         found = self.oil.given()
         given = {
             "dimensions": dimensions,

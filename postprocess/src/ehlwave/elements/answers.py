@@ -25,6 +25,8 @@ from ehlwave.surface.read import ReadOptions, read_surface
 from ehlwave.surface.surface import Surface
 
 Row = dict[str, Any]
+LONGEST = 300
+"""Characters of a reason: programs print their whole plan."""
 REFUSALS = (RangeError, StressError, ProgramError)
 """Errors that leave a number out, with their message as the reason; others are the user's."""
 
@@ -46,6 +48,8 @@ class Questions:
     oil_layer_m : float, optional
         Thickness of the oil on both surfaces together before a contact that rolls, from which r and
         the film are estimated.
+    by : str, optional
+        Which law answers, as of :meth:`ehlwave.Contact.film`; "laws": nothing is computed.
     reading : mapping
         Options of :class:`ehlwave.surface.ReadOptions` for the traces.
     """
@@ -56,6 +60,7 @@ class Questions:
     stress: bool = True
     oil_over_flooded: float | None = None
     oil_layer_m: float | None = None
+    by: str | None = None
     reading: dict[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -70,6 +75,11 @@ class Questions:
     def options(self) -> dict[str, Any]:
         """Return the options of every contact."""
         return {"heat": self.heat or None, "oil_over_flooded": self.oil_over_flooded}
+
+    @property
+    def chosen(self) -> dict[str, Any]:
+        """Return the law that answers as an argument; nothing where the contact chooses."""
+        return {} if self.by is None else {"by": self.by}
 
     @property
     def mean_ra_m(self) -> float:
@@ -106,14 +116,14 @@ def row_of(place: ElementContact, asked: Questions) -> Row:
         _film_without_heat(place, asked, row, reasons)
     with warnings.catch_warnings(record=True) as raised:
         warnings.simplefilter("always", ExtrapolationWarning)
-        film = _film(place, row, reasons)
+        film = _film(place, asked, row, reasons)
         if asked.trace is not None:
             _roughness(place, asked, row, reasons)
     row["doubts"] = "\n".join(dict.fromkeys(" ".join(str(one.message).split()) for one in raised))
     if place.slide_to_roll_ratio == 0 and asked.oil_over_flooded is None:
         row |= starved_row(place, row, asked.oil_layer_m)
     _power(place, row, film)
-    row["refusal"] = "\n".join(dict.fromkeys(" ".join(one.split()) for one in reasons))
+    row["refusal"] = "\n".join(dict.fromkeys(" ".join(one.split())[:LONGEST] for one in reasons))
     return row
 
 
@@ -124,7 +134,7 @@ def _film_without_heat(
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ExtrapolationWarning)
-            cold = place.contact_with(asked.options | {"heat": None}).film()
+            cold = place.contact_with(asked.options | {"heat": None}).film(**asked.chosen)
     except REFUSALS as error:
         reasons.append(f"without heat: {error}")
         return
@@ -132,10 +142,10 @@ def _film_without_heat(
     row["isothermal_central_film_error"] = cold.central_error
 
 
-def _film(place: ElementContact, row: Row, reasons: list[str]) -> Film | None:
+def _film(place: ElementContact, asked: Questions, row: Row, reasons: list[str]) -> Film | None:
     """Add films, friction and temperatures."""
     try:
-        film = place.contact.film()
+        film = place.contact.film(**asked.chosen)
     except REFUSALS as error:
         reasons.append(str(error))
         return None
@@ -185,7 +195,7 @@ def _roughness(place: ElementContact, asked: Questions, row: Row, reasons: list[
 
 def _stress(contact: Contact, asked: Questions, row: Row) -> tuple[Deformed, ...]:
     """Add the worse of both bodies; return the deformed surfaces."""
-    found = contact.stress(asked.trace, asked.second)
+    found = contact.stress(asked.trace, asked.second, **asked.chosen)
     worst = max(found.bodies, key=lambda body: body.dang_van)
     row["dang_van"], row["dang_van_error"] = worst.dang_van, worst.dang_van_error
     row["life_ratio"] = min(body.life_ratio for body in found.bodies)
@@ -198,9 +208,9 @@ def _lambda(contact: Contact, asked: Questions, deformed: tuple[Deformed, ...]) 
     """Return the lambda ratios of one surface or of both."""
     found: Deformed | DeformedPair
     if asked.second is not None:
-        found = contact.deform_pair(asked.trace, asked.second)
+        found = contact.deform_pair(asked.trace, asked.second, **asked.chosen)
     else:
-        found = deformed[0] if deformed else contact.deform(asked.trace)
+        found = deformed[0] if deformed else contact.deform(asked.trace, **asked.chosen)
     return {
         "lambda_ratio": found.statistics.lambda_ratio_after,
         "lambda_error": found.statistics.lambda_error,

@@ -119,7 +119,7 @@ class ElementDocument:
     def places(self) -> list[ElementContact]:
         """Return the contacts of the element, as cases of a sweep have them."""
         conditions = dict(self.given.get("conditions", {}))
-        for key in ("oil_over_flooded", "oil_layer_m"):
+        for key in ("oil_over_flooded", "oil_layer_m", "by"):
             conditions.pop(key, None)
         found: list[ElementContact] = self.element().places(oil=self.oil(), **conditions)
         return found
@@ -136,7 +136,7 @@ class ElementDocument:
         call = getattr(element, CALLS[self.name][1])
         asked = self.asked() | more
         known = {*inspect.signature(call).parameters, "trace", "second", "heat", "stress"}
-        known |= {"reading", "oil_over_flooded", "oil_layer_m"}
+        known |= {"reading", "oil_over_flooded", "oil_layer_m", "by"}
         if hasattr(element, "load_zone"):
             known |= set(inspect.signature(element.load_zone).parameters)
         for key in asked:
