@@ -42,7 +42,7 @@ class ViscosityTables(FolderTest):
         for name in ("central_film_um", "minimum_film_um"):
             deviation = self.check_close(result[name], expected[name], 1e-3, name)
             report(f"30 pressures: {name} within {deviation:.1e}")
-        self.assertEqual(result["warning"], "")
+        self.assertNotIn("table", result["warning"])
         self.assertEqual((result["nonlinear_steps"], result["rung"]), (expected["nonlinear_steps"], "direct"))
         self.assertEqual(result["viscosity_file"], "oil.csv")
         self.assertNotIn("viscosity_file", expected)
@@ -58,7 +58,7 @@ class ViscosityTables(FolderTest):
         # waves take pressures beyond a table that the smooth contact does not leave
         smooth = result["max_pressure"]*result["hertz_pressure_pa"]
         enough = rows(1.005*smooth, 20)
-        self.assertEqual(self.solve(enough, TABLE)["warning"], "")
+        self.assertNotIn("table", self.solve(enough, TABLE)["warning"])
         waves = {"orientation": "transverse", "wavelength_over_a": 1.0, "amplitude_over_film": 0.5}
         self.assertIn("beyond that it is extrapolated", self.solve(enough, TABLE, waviness=waves)["warning"])
 
