@@ -9,7 +9,8 @@
   ``many_ranks``, ``stress``, ``stress_speed``, ``starvation``, ``overrollings``, ``heavy``,
   ``heavy_draw``, ``heavy_refinement``, ``heavy_schemes``, ``peers``, ``peer_runs``,
   ``peer_slippy``, ``threads``, ``heat``, ``heat_map``, ``thinning``: one
-  each.
+  each;
+- laws and their errors: ``heat_films``, ``inlet_law``, ``inlet_tables``, ``judged``, ``rolling``.
 
 ``command`` is ``scripts/study``, which runs them all. ``section`` holds what a report is made of,
 ``html`` its page, ``sweeps`` writes and reads sweeps, ``stages`` the files of a full study,

@@ -90,7 +90,7 @@ def test_a_contact_is_written_as_an_input_file(
     path = tmp_path / "contact.nml"
     path.write_text(case_text(case_keys(contact.conditions, heat)))
     found = read_given([str(path)])
-    assert found.conditions == contact.conditions
+    assert found.conditions == contact._given  # a file has the film of a formula
     assert found.heat == heat
     plan = ehlwave.Case(**case_keys(contact.conditions, heat)).plan()
     assert plan["load_parameter_m"] == pytest.approx(contact.conditions.m, rel=1e-12)

@@ -198,7 +198,8 @@ def test_command_takes_the_inlet_of_a_file(
 
 @pytest.mark.parametrize("key", [*OTHER_INLET_KEYS, "oil_unknown"])
 def test_other_keys_of_the_inlet_are_refused_with_a_reason(tmp_path: Path, key: str) -> None:
-    file = input_file(tmp_path, f"{key} = 1")
+    value = "'1'" if key == "oil_profile" else "1"
+    file = input_file(tmp_path, f"{key} = {value}")
     with pytest.raises(SurfaceError, match=f"&inlet {key}: .*ehlwave-case"):
         read_conditions([str(file)])
 

@@ -49,7 +49,7 @@ def starvation(options: argparse.Namespace) -> int:
     ),
 )
 def heat(options: argparse.Namespace) -> int:
-    """Fit laws of friction and smallest films with heat, and judge the law of warm inlets.
+    """Fit laws of friction and smallest films with heat; judge the inlet law.
 
     Computes contacts drawn over pressure, speed, oil, bodies and slide-to-roll ratio, with and
     without heat. Fits friction over that of an even film under Hertz pressure, contacts held out,
