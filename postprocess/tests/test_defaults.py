@@ -11,6 +11,7 @@ from contact import EXPERIMENT
 
 import ehlwave
 import ehlwave.surface
+from ehlwave.contact.oil_keys import OIL_KEYS
 from ehlwave.errors import SurfaceError
 from ehlwave.programs.programs import find_program
 from ehlwave.surface import read_conditions, trace_surface
@@ -80,7 +81,11 @@ def test_every_answer_of_a_contact_is_for_its_own_slip() -> None:
 
 
 def test_the_flow_law_of_a_file_is_not_passed_over(tmp_path: Path) -> None:
-    conditions = "\n".join(f"{key} = {value}" for key, value in EXPERIMENT.items())
+    oils = {key: value for key, value in EXPERIMENT.items() if key in OIL_KEYS}
+    conditions, own = (
+        "\n".join(f"{key} = {value}" for key, value in keys.items())
+        for keys in ({key: EXPERIMENT[key] for key in EXPERIMENT if key not in oils}, oils)
+    )
     for law, stress, fits in (
         ("eyring", "eyring_stress_pa = 5e6", True),
         ("eyring", "", False),
@@ -88,7 +93,7 @@ def test_the_flow_law_of_a_file_is_not_passed_over(tmp_path: Path) -> None:
         ("newtonian", "", True),
     ):
         file = tmp_path / "case.nml"
-        oil = f"&lubricant flow_law = '{law}' {stress} /\n"
+        oil = f"&lubricant flow_law = '{law}' {stress}\n{own} /\n"
         file.write_text(f"&conditions {conditions}\n/\n{oil}", encoding="utf-8")
         if fits:
             read_conditions([str(file)])
