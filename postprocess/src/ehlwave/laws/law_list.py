@@ -26,7 +26,7 @@ from ehlwave.laws.notices import notices_of
 from ehlwave.laws.sheared_ridges import ShearedRidges
 from ehlwave.laws.standing_waves import StandingRidges
 from ehlwave.laws.starved_transfer import StarvedTransfer
-from ehlwave.laws.transfer import FormulaTransfer, LawBasis, RecommendedTransfer, Transfer
+from ehlwave.laws.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.laws.two_wave_transfer import TwoWaveTransfer
 from ehlwave.laws.warm_waves import WarmTransfer, thinner, warmth_of
 from ehlwave.programs.case_input import case_keys, case_text
@@ -71,12 +71,8 @@ def _two_waves(asked: Asked) -> Transfer:
         c = replace(with_atlas_film(replace(c, slip_parameter=1.0)), slip_parameter=slip)
     else:
         c = with_atlas_film(c, asked.atlas())
-    return holding(TwoWaveTransfer(c))
-
-
-def holding(transfer: Transfer) -> Transfer:
-    """Return a transfer whose law holds; RangeError with the reasons otherwise."""
-    if isinstance(transfer, LawBasis) and (reasons := transfer.reasons()):
+    transfer = TwoWaveTransfer(c)
+    if reasons := transfer.reasons():
         raise RangeError("; ".join(reasons))
     return transfer
 
@@ -119,12 +115,11 @@ def transfer_for(asked: Asked, by: str | None = None) -> Transfer:
     reasons: list[str] = []
     is_starved = asked.conditions.is_starved
     for law in LIST:
-        is_wanted = law.is_unasked and (law.is_for_starved or not is_starved)
+        if not law.is_unasked or (is_starved and not law.is_for_starved):
+            continue
         if law.name == "starved" and not is_starved:
             continue
         if law.name == "computed" and (by == "laws" or not has_programs()):
-            continue
-        if not is_wanted:
             continue
         try:
             return _warm(asked, law)
