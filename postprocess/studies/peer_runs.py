@@ -16,7 +16,6 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from ehlwave.writing import Writer, write_new_text
-from studies.heavy import BOOK
 from studies.programs import Groups, last_line, processor_seconds
 
 RADIUS_M = 12.5e-3
@@ -27,6 +26,13 @@ VISCOSITY_PA_S = 0.25
 ALPHA_PER_PA = 22e-9
 WIDTH = 3
 """Half the side of the square domain over the radius of the Hertzian contact."""
+
+BOOK: Groups = {
+    "conditions": {"load_parameter_m": 20, "lubricant_parameter_l": 10, "radius_ratio_d": 1},
+    "lubricant": {"viscosity_law": "barus", "density_law": "incompressible"},
+    "grid": {"edges": "truncated", "x_min": -4.5, "x_max": 1.5, "y_max": 3},
+}
+"""The case of Venner and Lubrecht's book, with its domain."""
 
 Found = tuple[float, float]
 """Film at the contact centre (um, of the book H), and processor time in seconds."""

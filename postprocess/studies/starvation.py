@@ -17,7 +17,6 @@ from ehlwave.contact.starvation import FILM_COEFFICIENTS, WAVE_COEFFICIENTS
 from ehlwave.results.figures import write_figure
 from ehlwave.writing import Writer
 from studies.folds import Law, fitted, held_out
-from studies.overrollings import report_overrollings
 from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
 
 Floats = NDArray[np.float64]
@@ -238,7 +237,7 @@ def _draw_waves(
 def main(arguments: Sequence[str] | None = None) -> int:
     """Write the sweeps or report on their results."""
     parser = argparse.ArgumentParser("a step of scripts/study starvation", description=__doc__)
-    parser.add_argument("step", choices=("cases", "report", "overrollings"))
+    parser.add_argument("step", choices=("cases", "report"))
     parser.add_argument("folder", type=Path)
     parser.add_argument("--contacts", type=int, default=30)
     parser.add_argument("--cells", type=int, default=384)
@@ -248,14 +247,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _run(options: argparse.Namespace) -> None:
     if options.step == "cases":
         write_cases(options.folder, options.contacts, options.cells)
-    elif options.step == "overrollings":
-        for row in report_overrollings(options.folder, options.cells // 8):
-            print(
-                f"{row['track']}: R {row['R_first']:.3f} to {row['R_last']:.3f} in "
-                f"{row['overrollings']}; (C5) with g = {row['g_fitted']:.2f} within "
-                f"{row['closed_form_largest']:.1%}; by the law for g within "
-                f"{row['inlet_largest']:.1%}, with side flow {row['inlet_and_sides_largest']:.1%}"
-            )
     else:
         report(options.folder)
 

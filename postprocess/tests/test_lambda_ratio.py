@@ -8,7 +8,6 @@ import warnings
 from pathlib import Path
 
 import numpy as np
-import pandas as pd
 import pytest
 from contact import BALL, EXPERIMENT, experiment
 
@@ -32,8 +31,6 @@ from ehlwave.surface import amplitude as amplitudes
 from ehlwave.surface.amplitude import VALIDATED_ROLLING, VALIDATED_SLIDING, expected_nonlinearity
 from ehlwave.surface.film_profile import second_conditions
 from ehlwave.surface.surface import Surface
-from studies.lambda_ratio import judge
-from studies.lambda_ratio.simulate import SMALL
 
 ROOT = Path(__file__).parents[2]
 
@@ -189,40 +186,6 @@ def test_a_film_between_two_surfaces_is_never_negative() -> None:
     profile = film_profile([mover], np.linspace(0, 1e-4, 50), 0.0)
     assert np.isnan(profile).any()
     assert np.nanmin(profile) > 0
-
-
-def test_recorded_marches_keep_to_the_errors() -> None:
-    """Rq marched and predicted (``record/microgeometry``), as the record has them."""
-    with (ROOT / "postprocess/record/microgeometry/table.csv").open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    for row in rows:
-        amplitude = float(row["amplitude_over_film"])
-        assert amplitude < VALIDATED_ROLLING
-        contact = experiment(mean_speed_m_per_s=float(row["speed_m_per_s"]))
-        allowed = expected_nonlinearity(contact, amplitude) + 0.03  # of table and grid
-        assert float(row["rq_table_nm"]) == pytest.approx(
-            float(row["rq_simulated_nm"]), rel=allowed
-        )
-
-
-def test_rough_maps_in_thin_films_keep_to_the_factors_and_reach_the_validated_amplitudes() -> None:
-    """Marches of ``record/lambda``: 95 % of their Rq and mean films, at the lowest films of all."""
-    marches = pd.read_csv(ROOT / "postprocess/record/lambda/marches.csv")
-    table = judge.with_errors(marches)
-    table = table[table["level"] > SMALL]
-    square = table["amplitude"] ** 2
-    assert (table["rq_change"].abs() <= amplitudes.PROFILE_FACTOR * square).mean() >= 0.95
-    mean = (table["mean_marched"] - table["mean_linear"] - table["rise"]).abs()
-    for oil, part in table.groupby("oil"):
-        kind = "rolling" if oil == "rolling" else "sliding"
-        held = mean[part.index] <= 1.02 * amplitudes.RISE_ERRORS[kind] * square[part.index]
-        assert held.mean() >= 0.95
-        enough = VALIDATED_ROLLING if kind == "rolling" else VALIDATED_SLIDING
-        assert (part["amplitude"] >= enough).sum() >= 2, oil
-    assert judge.fitted_width(marches) == pytest.approx(amplitudes.LOWEST_WIDTH)
-    assert judge.uncovered(marches) == (0, len(table))
-    (_, held_out) = judge.lowest_table(marches).to_dict("records")
-    assert float(held_out["corrected_95"]) < 0.5 * float(held_out["linear_95"])
 
 
 MARCHES = (

@@ -1,13 +1,10 @@
 import itertools
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pandas as pd
 import pytest
-from contact import LOADED_BALL
 
-import ehlwave
 from ehlwave.contact.formula import power_ratio
 from ehlwave.contact.starvation import (
     FILM_COEFFICIENTS,
@@ -20,8 +17,6 @@ from ehlwave.contact.starvation import (
     starved_ratio,
 )
 from ehlwave.errors import RangeError
-from ehlwave.laws.replenishment import Track, after_overrollings, density
-from studies.overrollings import ROWS, TrackOfContacts, compare, inlet_loss, predicted, side_loss
 from studies.starvation import OIL_OF_WAVES, WAVES, contacts, film_law, fit, main, usable
 
 # R of M = 100, L = 12.05, D = 1 at 64 cells per a, tests/verification/test_starvation.py.
@@ -106,50 +101,6 @@ def test_record_has_the_coefficients_and_errors_of_the_laws() -> None:
         assert found == pytest.approx(known, abs=6e-4)
         assert rows.loc[name, "rms_held_out"] == pytest.approx(error, abs=1e-3)
     assert rows.loc["R", "rms_held_out"] < rows.loc["R, one g", "rms_held_out"] / 3
-
-
-def overrolled(track: TrackOfContacts, g: float) -> list[dict[str, Any]]:
-    """Return rows of a track whose films follow the closed form, without side flow."""
-    n = np.arange(1, track.count + 1)
-    r = after_overrollings(track.start, n, g)
-    same = {"track": track.name, "alphabar": 20.0, "lambdabar": 1e9, "kappa": 1.0, "layer": 0.15}
-    return [
-        same | {"overrolling": k, "R": one, "r_behind": one, "mass_balance_error": 0.0}
-        for k, one in zip(n, r, strict=True)
-    ]
-
-
-def test_a_track_that_follows_the_closed_form() -> None:
-    track = ROWS[1]
-    row = compare(track, overrolled(track, 2.5))
-    assert row["g_fitted"] == pytest.approx(2.5, abs=1e-6)
-    assert row["closed_form_largest"] < 1e-9
-    assert row["loss_first_sides"] < 1e-9
-
-
-def test_losses_of_an_overrolling() -> None:
-    track = ROWS[0]
-    rows = [row | {"lambdabar": 0.0237} for row in overrolled(track, 3.0)]
-    assert 0.95 < float(inlet_loss(track, 20.0)) < 0.96  # what floods it passes
-    thin = side_loss(rows[0], np.array([0.05, 0.1]))
-    assert thin[1] / thin[0] == pytest.approx(4, rel=0.01)  # like the square of the layer
-    alone, both = predicted(track, rows[0], 5)
-    assert np.all(both < alone)
-    assert np.all(np.diff(both) < 0)
-
-
-def test_side_loss_is_that_of_a_track() -> None:
-    conditions = ehlwave.Contact(**LOADED_BALL, oil_over_flooded=0.3).conditions
-    track = Track(conditions, 0.3)
-    c = conditions
-    alphabar = c.oil.pressure_viscosity_per_pa * c.hertz_pa
-    scale = c.semi_axis_a_m**2 / LOADED_BALL["radius_x_m"]  # D = 1
-    lambdabar = 12 * 0.05 * 4 * c.semi_axis_a_m / (scale**2 * c.hertz_pa)
-    layer = float(density(c.hertz_pa)) * track.flooded_film_m / scale
-    row = {"alphabar": alphabar, "lambdabar": lambdabar, "kappa": 1.0, "layer": layer}
-    grown = (1 - float(side_loss(row, 0.3))) ** -2 - 1
-    expected = track.side_flow_per_s * track.period_s * 0.3**2
-    assert grown == pytest.approx(expected, rel=1e-6)
 
 
 def test_record_of_tracks() -> None:

@@ -10,8 +10,8 @@ module ehlwave_method_choice
    private
    public :: choose_method
 
-   ! Measured (scripts/study heavy): on finer grids Newton's method takes more and more GMRES steps, and more the
-   ! heavier the load or the steeper the end of the pressure, FAS 3 to 6 cycles.
+   ! Measured (study heavy, postprocess/record): on finer grids Newton's method takes more and more GMRES steps, and
+   ! more the heavier the load or the steeper the end of the pressure, FAS 3 to 6 cycles.
    integer, parameter :: large_grid = 512        !! cells along a side, above which FAS takes less whatever the load
    real(dp), parameter :: heavy_load = 1000      !! gamma M, from which on it does on so many along each side
 

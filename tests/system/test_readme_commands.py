@@ -33,8 +33,6 @@ NOT_RUN = {
     "pip install ./postprocess": "installs packages; system/test_packaging looks at the wheel",
     "pip install './postprocess[figures,instruments]'": "installs packages",
     "mpirun -n 2 build/release/drivers/ehlwave-sweep inputs/paper_harmonic.nml": "takes a minute; planned here",
-    "scripts/study linearity": "takes minutes; tests/test_linearity.py has its report",
-    "scripts/study transients": "takes a quarter of an hour; verification/test_slip_transients runs some of it",
     "sbatch --ntasks=64 EHLWAVE/scripts/batch/slurm.sh SWEEP.nml results.h5": "needs Slurm; system/test_slurm starts one",
     "sbatch --ntasks=64 --array=0-2 EHLWAVE/scripts/batch/slurm.sh A.nml B.nml C.nml": "needs Slurm; system/test_slurm",
     "sbatch --ntasks=64 $EHLWAVE_HOME/scripts/batch/slurm.sh SWEEP.nml results.h5": "needs Slurm; system/test_slurm",

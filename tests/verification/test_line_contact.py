@@ -4,7 +4,7 @@ import math
 import unittest
 
 from ehlwave_program import TestCase, report, solve
-from studies.validation.published import line_ratios, small_line_ratios
+from studies.published.values import line_ratios, small_line_ratios
 
 # Of Ai, by the shortest wave it holds for. Measured 0.004 at 0.5 a and longer, 0.017 at 0.25 a, 0.050 at 0.125 a, to 3e-4:
 # their z and alpha are not known, nor their error.

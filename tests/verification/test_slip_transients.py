@@ -1,6 +1,6 @@
 """Marches of small waves under slip against the linear response, and orders in mesh size and time step, Ree-Eyring.
 
-Small grids; `scripts/study transients` has more cases on finer ones.
+Small grids; the manual has marches on finer ones.
 """
 
 import cmath

@@ -1,10 +1,9 @@
 """Studies of errors and costs, of this program and of others."""
 
 import argparse
-import os
 
 from studies.command import steps
-from studies.command.options import COUNT, flag, given, option, output, study
+from studies.command.options import flag, given, option, output, study
 
 
 @study(
@@ -76,49 +75,6 @@ def threads(options: argparse.Namespace) -> int:
 
 
 @study(
-    "heavy",
-    output("heavy"),
-    option(
-        "--largest", "N", "cells along X and Y, at most; 2048 takes minutes (default 1024)", 1024
-    ),
-    option("--method", "METHOD", "the key method of the cases (default auto)", "auto"),
-    flag("--responses", "with the linear response to transverse waves of 0.5 a"),
-    flag(
-        "--schemes", "error against work of both schemes of the Reynolds equation in place of those"
-    ),
-    flag("--refinement", "the best that local refinement could save, in place of those"),
-    option("--draw", "N", "so many random heavy contacts with accuracy = 0.01 in place of those"),
-    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
-)
-def heavy(options: argparse.Namespace) -> int:
-    """Measure what heavy loads and large grids cost.
-
-    Runs smooth contacts of M = 100, 1000 and 10,000, and the case of Venner and Lubrecht's book, on
-    256 x 256 cells and more, on one core. Prints method, tolerance, steps, counted work units and
-    memory. Writes heavy.csv.
-
-    --draw takes random contacts, M = 2000 to 10,000, L = 2.5 to 20, D = 0.04 to 1, every fourth
-    with D = 0.07, every third with the response to transverse waves of 0.5 to 2 a. Each is compared
-    with itself on twice the cells. Writes draw.csv.
-
-    --schemes takes M = 100 to 10,000, D = 1 and 0.07, smooth and with the response to transverse
-    waves of 0.5 and 2 a, on finer and finer grids of the schemes averaged and fitted, and says the
-    least work for 1 % of film and Ad/Ai. Ten minutes with --largest 2048. Writes schemes.csv and
-    work.csv.
-
-    --refinement takes M = 1000, 3000 and 10,000 on 512 x 512 cells, and says where the error of the
-    averaged scheme comes from and what composite grids could save. Writes refinement.csv.
-
-    Exit status: 0 done, of random contacts 95 % within 1 %; 1 failed; 2 bad usage.
-    """
-    steps.prepare(options.program)
-    given_words = given(options, "output", "method", "largest", "draw")
-    flags = ("responses", "schemes", "refinement")
-    flag_words = (f"--{name}" for name in flags if getattr(options, name))
-    return steps.report("heavy", *given_words, *flag_words)
-
-
-@study(
     "peers",
     output("peers"),
     option("--fbns", "DIR", "a clone of github.com/ErikHansenGit/EHL; needs octave-cli"),
@@ -149,15 +105,3 @@ def peers(options: argparse.Namespace) -> int:
     steps.prepare(options.program)
     words = given(options, "output", "fbns", "slippy", "book", "largest", "limit")
     return steps.report("peers", *words)
-
-
-@study("stress-speed", ("points", {"nargs": "?", "type": COUNT, "default": 1024}))
-def stress_speed(options: argparse.Namespace) -> int:
-    """Measure how long stresses below a surface take, on one core.
-
-    A map of POINTS x POINTS (default 1024) at 8 and at 32 depths, with friction, and a measured
-    trace; wall and processor time, and the largest memory of the process.
-    """
-    steps.find_python()
-    os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    return steps.report("stress_speed", options.points)

@@ -19,10 +19,8 @@ def starvation(options: argparse.Namespace) -> int:
 
     Computes films of contacts over M, L and D with 0.2 to 5 times the oil that they pass flooded,
     and linear responses of half as many. Fits R(r) and Ad/Ai(x, R), each contact held out in turn,
-    with intervals by drawing contacts again. Then rows of contacts on one track, each with the oil
-    that the one before left, against closed forms of overrollings and side flow. Writes films.h5,
-    waves.h5, laws.csv, overrollings.csv, tracks.csv and two figures. The coefficients in laws.csv
-    are those of ehlwave.contact.starvation.
+    with intervals by drawing contacts again. Writes films.h5, waves.h5, laws.csv and a figure. The
+    coefficients in laws.csv are those of ehlwave.contact.starvation.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
@@ -34,7 +32,6 @@ def starvation(options: argparse.Namespace) -> int:
     steps.python("starvation", "cases", folder, *given(options, "contacts", "cells"))
     for name in ("films", "waves"):
         steps.sweep(folder / f"{name}.nml")
-    steps.python("starvation", "overrollings", folder, *given(options, "cells"))
     return steps.report("starvation", "report", folder)
 
 
@@ -95,26 +92,6 @@ def inlet(options: argparse.Namespace) -> int:
     for name in ("lines", "points"):
         steps.sweep(folder / f"{name}.nml")
     return steps.report("inlet_law", "report", folder)
-
-
-@study(
-    "thinning",
-    output("thinning"),
-    option("--contacts", "N", "how many are drawn (default 64)", 64),
-    option("--cells", "N", "along each side; lines have 8 times (default 128)", 128),
-    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
-)
-def thinning(options: argparse.Namespace) -> int:
-    """Compare films of oils that thin in the inlet with the bound of their loss.
-
-    Draws smooth contacts and lines that roll or slide in Ree-Eyring and Carreau oils, of a stress
-    that makes the bound of ehlwave.contact.thinning 1 to 15 %. Each is computed with its oil and
-    with a Newtonian one, one after another on one core. Writes thinning.csv.
-
-    Exit status: 0 no contact that is answered by the bound loses more; 1 otherwise; 2 bad usage.
-    """
-    steps.prepare(options.program)
-    return steps.report("thinning", *given(options, "output", "contacts", "cells"))
 
 
 @study(

@@ -1,4 +1,4 @@
-"""Studies of what a sweep survives, how it would scale, and what its readers are given."""
+"""Studies of sweeps under disturbances and of readers under mutated inputs."""
 
 import argparse
 import os
@@ -10,23 +10,6 @@ from studies.command.options import flag, given, option, study, value_of
 
 TARGETS = ("case", "sweep", "table", "record", "surface", "trace")
 TARGET = value_of("|".join(TARGETS), str, f"one of {', '.join(TARGETS)}")
-
-
-@study(
-    "many-ranks",
-    option("--ranks", "N", "default 10000", 10_000),
-    option("--cases-per-rank", "N", "default 50", 50),
-)
-def many_ranks(options: argparse.Namespace) -> int:
-    """Simulate a sweep on more ranks than there are, with measured service times.
-
-    Measures the time of rank 0 for one case and the efficiency on 16 and 64 ranks by cases that
-    sleep (with MPI and store as they are; two minutes), sets the simulation beside it, then
-    simulates N ranks for cases of 1 to 60 s.
-    """
-    synthetic = steps.build() / "tests" / "synthetic_sweep"
-    steps.find_python()
-    return steps.report("many_ranks", synthetic, *given(options, "ranks", "cases-per-rank"))
 
 
 @study(

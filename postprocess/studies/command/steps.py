@@ -8,8 +8,6 @@ from collections.abc import Collection
 from pathlib import Path
 from typing import IO
 
-from ehlwave.writing import Writer
-
 ROOT = Path(__file__).resolve().parents[3]
 SCRIPTS = ROOT / "scripts"
 DRIVERS = ROOT / "build" / "release" / "drivers"
@@ -120,13 +118,9 @@ def written(module: str, *words: object) -> list[str]:
     return python(module, *words, stdout=subprocess.PIPE)[1].splitlines()
 
 
-def report(module: str, *words: object, kept: Path | None = None) -> int:
-    """Run what judges the results, keep in a file what it prints; return its exit status."""
-    status, said = python(module, *words, accepted=ANY, stdout=subprocess.PIPE if kept else None)
-    print(said, end="", flush=True)
-    if kept:
-        Writer(overwrite=True).text(kept, said)
-    return status
+def report(module: str, *words: object) -> int:
+    """Run the module that judges the results; return its exit status."""
+    return python(module, *words, accepted=ANY)[0]
 
 
 def sweep(
@@ -139,11 +133,3 @@ def sweep(
     """Run a sweep on EHLWAVE_RANKS; return 0, or 1 when some cases did not converge."""
     command = (SCRIPTS / "run-sweep", file, *words)
     return call(*command, accepted=accepted, folder=folder, stdout=stdout)[0]
-
-
-def sweep_anew(file: str, results: Path) -> int:
-    """Prepare, then run a sweep file of the source; results that are there are replaced."""
-    prepare()
-    Writer().folder(results.parent)
-    # A relative case_file in a sweep file counts from the current folder.
-    return sweep(file, "--overwrite", "--output", results, folder=ROOT)

@@ -11,9 +11,9 @@ from ehlwave.contact.formula import amplitude_ratio_formula, recommended_ratio
 from ehlwave.results.figures import COLOURS
 from ehlwave.results.points import select_points
 from studies.paper.cases import PAPER_L, PUBLISHED_LINE
+from studies.published.values import small_line_ratios
 from studies.section import Picture, Section, Table, comparison, comparison_row
 from studies.stages import read_stage
-from studies.validation.published import small_line_ratios
 
 ELLIPTIC_FACTOR = math.sqrt(2 * math.pi**3 / 3)
 """Of V = factor (lambda/a) (alpha ph)^(3/2) L^(-2), eq. (17), for elliptical contacts."""

@@ -8,10 +8,16 @@ from pathlib import Path
 import pandas as pd
 
 from studies import experiment, html
-from studies.paper import better_formula, line_contact, paper_points, provenance, refitted
+from studies.paper import (
+    better_formula,
+    companion,
+    line_contact,
+    paper_points,
+    provenance,
+    refitted,
+)
 from studies.section import COMPARISON, Parts, Section, Table, make_sections, write_section
 from studies.two_waves import section as two_waves
-from studies.validation import companion
 
 TITLE = "Waviness in elliptical EHL contacts: the study of Venner, Kaneta and Lubrecht (2000) again"
 SWEEPS = ["paper_grid", "resolved", "companion", "dense", "fresh", *refitted.RHEOLOGIES, "line"]

@@ -22,7 +22,7 @@ from ehlwave.contact.scales import first_integral, moes_film, moes_per_film
 
 BY_PRESSURE, PIEZOVISCOUS, BY_SLIP = 0.03, 0.16, 0.008
 """Relative loss of film over N^2, the same times L where that is less, and over T, chosen so that
-their sum is a bound for contacts without an atlas: of those that ``scripts/study thinning`` draws
+their sum is a bound for contacts without an atlas: of those in ``record/thinning``
 none loses more than 0.93 of it. Ree-Eyring oils under slip lose up to 1.23 of it."""
 
 MOST_LOSS = 0.15

@@ -13,8 +13,8 @@ VALIDATED_ROLLING, VALIDATED_SLIDING = 1.5, 0.95
 (``record/lambda``), rolling and under slight slip."""
 
 SLIGHT_SLIP, VALIDATED_FASTER = 0.1, 0.3
-"""Largest deviation of S from 1 of those marches, and the largest amplitude under more slip, of the
-waves of ``scripts/study transients``."""
+"""Largest deviation of S from 1 of those marches, and the largest amplitude under more slip, of
+the marched waves that the manual compares with linear responses."""
 
 ROLLING_FACTOR = 0.05
 SLIP_FACTORS = (68.0, 18.0)
@@ -41,7 +41,7 @@ RISE_ERRORS = {
 that the networks have not seen (``scripts/study atlas --validate``)."""
 
 LOWEST_WIDTH = 0.39
-"""Of :func:`lowest_film`, over the film (``scripts/study lambda``)."""
+"""Width of :func:`lowest_film` over the film (``record/lambda``)."""
 
 LARGEST_RISE = 0.5
 """Of the film: a larger change in second order says that the series does not hold."""

@@ -1,1 +1,0 @@
-"""Lambda ratios where films are as thin as surfaces are rough: ``scripts/study lambda``."""

@@ -1,1 +1,0 @@
-"""Predicted against simulated roughness inside the contact: ``scripts/study microgeometry``."""

@@ -1,0 +1,4 @@
+"""Published measurements and computations that tests compare: ``data``, read by ``values``.
+
+``dimple`` runs the rolling dimple of Mourier and others (2006).
+"""
