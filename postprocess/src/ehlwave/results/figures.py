@@ -234,7 +234,7 @@ def _finish_panel(axes: Axes, orientation: str) -> None:
     axes.set_yticks(np.arange(0, 1.01, 0.2))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.tick_params(which="both", direction="in", top=True, right=True)
-    axes.text(0.97, 0.94, orientation, transform=axes.transAxes, ha="right", va="top")
+    axes.text(0.95, 0.90, orientation, transform=axes.transAxes, ha="right", va="top")
 
 
 def _marker_style(marker: str, colour: str) -> dict[str, Any]:
@@ -269,7 +269,7 @@ def _point_handles(
 
 def _curve_handles(refitted: FormulaFit | None) -> Sequence[Line2D]:
     def curve(name: str, c1: float, c2: float, line: Literal["--", "-"], width: float) -> Line2D:
-        label = f"{name}\n$c_1={c1:.3g}$\n$c_2={c2:.3g}$"
+        label = f"{name}\n$c_1={c1:#.3g}$\n$c_2={c2:#.3g}$"
         return Line2D([], [], linestyle=line, color="black", linewidth=width, label=label)
 
     handles = [curve("Venner et al.", PAPER_C1, PAPER_C2, "--", 1.1)]
