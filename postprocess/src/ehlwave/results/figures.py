@@ -269,7 +269,7 @@ def _point_handles(
 
 def _curve_handles(refitted: FormulaFit | None) -> Sequence[Line2D]:
     def curve(name: str, c1: float, c2: float, line: Literal["--", "-"], width: float) -> Line2D:
-        label = f"{name}\n$c_1={c1:#.3g}$\n$c_2={c2:#.3g}$"
+        label = f"{name}\n$c_1={c1:.3g}$\n$c_2={c2:.3g}$"
         return Line2D([], [], linestyle=line, color="black", linewidth=width, label=label)
 
     handles = [curve("Venner et al.", PAPER_C1, PAPER_C2, "--", 1.1)]
