@@ -15,7 +15,7 @@ Axis = Literal["x", "y"]
 AXES: tuple[Axis, ...] = ("x", "y")
 """Directions of a trace, and of rolling in a file."""
 
-LAWS = ("atlas", "starved", "two-waves", "computed", "recommended", "paper")
+LAWS = ("table", "atlas", "starved", "two-waves", "computed", "recommended", "paper")
 """Laws that judge the components of a surface, by their names."""
 
 FILM_BY = ("laws", "computed")

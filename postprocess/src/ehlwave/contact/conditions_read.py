@@ -72,7 +72,11 @@ def read_conditions(words: Sequence[str]) -> Conditions:
 
 def read_given(words: Sequence[str]) -> Given:
     """Return what words say, as :func:`read_conditions` takes them, with heat."""
-    place, every = _place(words), _every_key(words)
+    return given_of(_every_key(words), _place(words))
+
+
+def given_of(every: Mapping[str, Any], place: str) -> Given:
+    """Return what keys of an input file say; `place` names them in messages."""
     keys = {
         key: value
         for key, value in every.items()
