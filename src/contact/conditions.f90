@@ -41,8 +41,8 @@ module ehlwave_conditions
       real(dp) :: hertz_pressure_pa = 0             !! ph, Pa
       logical :: has_dimensions = .false.           !! whether the lengths below are known
       real(dp) :: a_m = 0, b_m = 0, c_m = 0         !! Hertz semi-axes and approach, m; b of a line contact stays 0
-      type(contact_data_t) :: data                  !! set when has_dimensions; E' also where it is known besides M, L
-                                                    !! Moes parameters and D
+      type(contact_data_t) :: data                  !! set when has_dimensions; E' also where given besides M, L
+                                                    !! and D
    contains
       procedure :: is_line
       procedure :: steepness

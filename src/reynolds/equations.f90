@@ -30,7 +30,7 @@ module ehlwave_equations
       real(dp), allocatable :: edge_excess(:)     !! P - P_far(H) there
       real(dp), allocatable :: edge_slope(:)      !! -d P_far/dH there
       real(dp) :: edge_unit = 0                   !! unit of P there, where edges may be dry
-      type(oil_content_t), allocatable :: content !! content of a problem with a supply: its partly filled nodes are the
+      type(oil_content_t), allocatable :: content !! content, in a problem with a supply: partly filled nodes are the
                                                   !! cavitated nodes
    contains
       procedure :: init

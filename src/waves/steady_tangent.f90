@@ -69,7 +69,7 @@ contains
       class(steady_tangent_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! levels of `init`: their deformation is used
       real(dp), intent(in), contiguous :: b(:)            !! (linear%n), 0 at cavitated nodes; at flooded edges in units
-                                                          !! P
+                                                          !! of P
       real(dp), intent(in) :: tolerance                   !! tolerance of the linear residual
       type(tangent_change_t), intent(out) :: change
       logical, intent(in), optional :: in_single          !! products, whose convolutions are good to 1e-7 then

@@ -13,7 +13,7 @@ module ehlwave_time_history
    !> Latest first.
    type, public :: time_history_t
       real(dp), allocatable :: f(:, :, :)      !! rho H of the steps before, (0:nx, 0:ny, steps); of a starved contact
-                                               !! Data that `carry_content` takes
+                                               !! the data of `carry_content`
       real(dp) :: approach(3) = 0              !! Delta of the steps before
    contains
       procedure :: begin
