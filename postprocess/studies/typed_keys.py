@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from ehlwave.cases.keys import key_table
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
-from ehlwave.driver import key_table
 from ehlwave.writing import Writer
 
 PLACE = Path(__file__).parents[1] / "src" / "ehlwave" / "inputs" / "keys.py"
@@ -51,7 +51,7 @@ OF_SWEEPS = {
 
 
 def module(keys: Sequence[dict[str, Any]]) -> str:
-    """Return the text of the module, from the rows of :func:`ehlwave.driver.key_table`."""
+    """Return the text of the module, from the rows of :func:`ehlwave.cases.keys.key_table`."""
     known = {key["name"]: key for key in keys}
     contact = {name: known.get(name, {"kind": "number"}) for name in KNOWN_KEYS}
     parts = [HEADER, CLASS.format(name="CaseKeys", base="TypedDict", text="Of one case.")]

@@ -1,6 +1,8 @@
-"""The errors a user is meant to see."""
+"""The errors a user is meant to see, and their advice: the nearest known word, a manual page."""
 
+import difflib
 import re
+from collections.abc import Iterable
 
 _UNPRINTABLE = re.compile("[\x00-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 """Control characters, marks that turn the direction of text, and bytes that are no text."""
@@ -18,6 +20,31 @@ def printable(text: str, kept: str = "") -> str:
         return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}"
 
     return _UNPRINTABLE.sub(number, text)
+
+
+MANUAL = "postprocess/manual"
+"""The folder of the pages; the site of ``scripts/manual`` has them by the same names."""
+
+PAGES = {
+    "atlas": "howto.md#know-what-the-atlas-covers",
+    "bodies": "howto.md#enter-two-bodies",
+    "keys": "howto.md#enter-a-contact",
+    "oil": "howto.md#enter-an-oil-from-its-data-sheet",
+    "slip": "howto.md#enter-a-slide-to-roll-ratio",
+    "units": "howto.md#enter-units",
+}
+"""Pages by what they are about; a test looks whether the manual has them."""
+
+
+def see(topic: str) -> str:
+    """Return the end of a message: which page of the manual explains."""
+    return f" (manual: {MANUAL}/{PAGES[topic]})"
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """Return a question for the nearest known word, in brackets; '' when none is near."""
+    near = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
+    return f" (did you mean {near[0]}?)" if near else ""
 
 
 class EhlwaveError(Exception):

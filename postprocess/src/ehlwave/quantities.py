@@ -9,8 +9,7 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import SurfaceError, see
 
 UNITS = {
     "_m_per_s": "m/s",

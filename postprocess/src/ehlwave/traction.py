@@ -10,9 +10,10 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from ehlwave.cases.keys import key_groups
+from ehlwave.cases.study import Study
 from ehlwave.choices import TRACTION_RATIOS
 from ehlwave.contact.heat_data import EMPTY_HEAT
-from ehlwave.driver import Study, key_groups
 from ehlwave.errors import ArgumentError, ProgramError, SurfaceError
 from ehlwave.inputs.key_values import values_of
 from ehlwave.inputs.namelist import read_namelist

@@ -24,8 +24,7 @@ from ehlwave.elements.place import ElementContact
 from ehlwave.elements.spur_gear_pair import SpurGearPair
 from ehlwave.elements.tapered_roller_bearing import TaperedRollerBearing
 from ehlwave.elements.two_disc import TwoDisc
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import did_you_mean
+from ehlwave.errors import SurfaceError, did_you_mean
 
 CALLS: dict[str, tuple[type, str]] = {
     kind.__name__: (kind, call)

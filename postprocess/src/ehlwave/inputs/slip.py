@@ -7,8 +7,7 @@ rough one. The programs have the same in ``src/case/input_completion.f90``.
 from collections.abc import Mapping
 from typing import Any
 
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import SurfaceError, see
 from ehlwave.quantities import number
 
 SLIP, RATIO = "slip_parameter", "slide_to_roll_ratio"

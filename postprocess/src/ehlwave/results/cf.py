@@ -7,7 +7,7 @@ The conventions name no quantities of lubrication; there are units and long name
 import numpy as np
 import xarray as xr
 
-from ehlwave.version import version
+from ehlwave.extras import version
 
 CONVENTIONS = "CF-1.8"
 

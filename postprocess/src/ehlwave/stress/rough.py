@@ -11,8 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.choices import POISSON_RATIO
 from ehlwave.contact.conditions import Conditions
-from ehlwave.errors import StressError
-from ehlwave.hints import see
+from ehlwave.errors import StressError, see
 from ehlwave.shown import Shown, within
 from ehlwave.stress.body import BodyStress, judge_body
 from ehlwave.stress.case import stress_of_case

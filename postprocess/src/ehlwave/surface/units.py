@@ -3,8 +3,7 @@
 import re
 import unicodedata
 
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import did_you_mean
+from ehlwave.errors import SurfaceError, did_you_mean
 
 _NAMES = {
     1.0: "m meter meters metre metres mètre mètres",

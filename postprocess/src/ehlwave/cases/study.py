@@ -1,38 +1,32 @@
-"""Cases and studies by the built programs, their results as :class:`xarray.Dataset`."""
+"""Studies by ``ehlwave-sweep``, their results as :class:`xarray.Dataset`."""
 
 from __future__ import annotations
 
-import json
 import os
-import subprocess
 import tempfile
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pandas as pd
 import xarray as xr
 
+from ehlwave.cases.case import SURFACES
+from ehlwave.cases.keys import checked, grouped, run_program
 from ehlwave.errors import ProgramError
-from ehlwave.hdf5 import read_dataset
-from ehlwave.hints import did_you_mean, see
 from ehlwave.programs.programs import find_program, find_run_sweep, namelist
 from ehlwave.programs.progress import Following, following, run_following
 from ehlwave.quantities import in_si
 from ehlwave.results.labels import with_labels_of
 from ehlwave.results.read import read_results
-from ehlwave.shown import Shown, html_table
+from ehlwave.shown import Shown
 from ehlwave.writing import write_new_text
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ehlwave.inputs.keys import CaseKeys, StudyKeys
-
-SURFACES = {"surface": "file", "surface2": "file_2"}
-"""Keys of measured surfaces by their groups."""
+    from ehlwave.inputs.keys import StudyKeys
 
 OPTIONS = ("case_file", "output", "unresolved", "largest_case_seconds", "checkpoint_seconds")
 """Keys of ``&sweep`` that are not lists of values."""
@@ -42,116 +36,6 @@ NOTICE = "NOTICE: "
 
 LABEL = "label"
 """Column of a table of cases that names them; not a key of the program."""
-
-
-class Case:
-    """One case for ``ehlwave-case``.
-
-    Parameters
-    ----------
-    **keys
-        Keys of its input file (``inputs/README.md``, ``ehlwave-case --keys``), whatever their
-        group: numbers, text, bool. Plain numbers are SI; quantities of pint are converted.
-        ``file``, a measured surface, may be a :class:`ehlwave.surface.Surface` or an object of
-        SurfaceTopography; it is taken as it is, see :func:`ehlwave.surface.simulation_surface`.
-
-    Raises
-    ------
-    ProgramError
-        If there is no program, or no such key.
-
-    Examples
-    --------
-    >>> import ehlwave
-    >>> case = ehlwave.Case(load_parameter_m=10, lubricant_parameter_l=5, radius_ratio_d=1,
-    ...     orientation="transverse", wavelength_over_a=1, response="harmonic",
-    ...     cells_x=64, cells_y=64)
-    >>> result = case.run()
-    >>> print(result.attrs["status"], f"Ad/Ai = {float(result['harmonic_ratio']):.2f}")
-    converged Ad/Ai = 0.93
-    """
-
-    def __init__(self, **keys: Unpack[CaseKeys]) -> None:
-        """Sort the keys into the groups of an input file."""
-        self.groups = grouped(keys)
-
-    def __repr__(self) -> str:
-        """Return the input file."""
-        return namelist(self.groups)
-
-    def _repr_html_(self) -> str:
-        keys = {key: str(value) for group in self.groups.values() for key, value in group.items()}
-        return html_table("Case", keys)
-
-    def plan(self) -> dict[str, Any]:
-        """Return what would be computed, and on which grid, by the names of ``--plan --json``.
-
-        Examples
-        --------
-        >>> import ehlwave
-        >>> case = ehlwave.Case(load_parameter_m=10, lubricant_parameter_l=5, radius_ratio_d=1,
-        ...     orientation="transverse", wavelength_over_a=1, response="harmonic",
-        ...     cells_x=64, cells_y=64)
-        >>> plan = case.plan()
-        >>> plan["cells_x"], plan["run"], plan["is_resolved"]
-        (64, 'harmonic', True)
-        """
-        return self._json("--plan")
-
-    def run(self, seconds: float | None = None, progress: Following = None) -> xr.Dataset:
-        """Compute the case.
-
-        Parameters
-        ----------
-        seconds : float, optional
-            Wall time after which it is stopped.
-        progress : callable or False, optional
-            Called as ``progress(done, whole, text)`` for each line of progress; ``text`` says what
-            is counted, such as ``"time step"``. Without it a notebook shows a bar if tqdm is
-            installed; False: none.
-
-        Returns
-        -------
-        xarray.Dataset
-            All quantities of the result (0-dimensional, with units and long names), fields over
-            ``y`` and ``x``, histories over ``time``; text, ``status`` among it, as attributes. A
-            case that did not converge has its status there and no fields.
-
-        Raises
-        ------
-        ProgramError
-            If the program refuses the input.
-        subprocess.TimeoutExpired
-            If it takes longer than `seconds`.
-
-        Examples
-        --------
-        >>> import ehlwave
-        >>> case = ehlwave.Case(load_parameter_m=10, lubricant_parameter_l=5, radius_ratio_d=1,
-        ...     orientation="transverse", wavelength_over_a=1, response="harmonic",
-        ...     cells_x=64, cells_y=64)
-        >>> result = case.run(seconds=60)
-        >>> result["harmonic_ratio"].attrs["units"], result["pressure"].dims
-        ('1', ('y', 'x'))
-        """
-        with tempfile.TemporaryDirectory() as folder:
-            output = Path(folder, "case.h5")
-            self._json("--output", str(output), seconds=seconds, progress=progress)
-            return read_dataset(output)
-
-    def _json(
-        self, *options: str, seconds: float | None = None, progress: Following = False
-    ) -> dict[str, Any]:
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder, "case.nml")
-            write_new_text(path, namelist(_with_surface_files(self.groups, Path(folder))))
-            command = [str(find_program("ehlwave-case")), str(path), "--json", *options]
-            with following(progress) as callback:
-                quiet = [] if callback else ["--quiet"]
-                done = run_following([*command, *quiet], callback, "stderr", seconds)
-            _check(done, (0, 1))
-        lines = done.stdout.rstrip().splitlines()
-        return dict(json.loads(lines[-1]))
 
 
 class Study(Shown):
@@ -286,7 +170,7 @@ class Study(Shown):
             with following(progress) as callback:
                 command += [str(path), *limit]
                 done = run_following(command, callback, "stdout", environment=environment)
-            for line in _check(done, (0, 1, 85)).stdout.splitlines():
+            for line in checked(done, (0, 1, 85)).stdout.splitlines():
                 if line.startswith(NOTICE):
                     warnings.warn(line.removeprefix(NOTICE), stacklevel=2)
             found = read_results(results)
@@ -307,7 +191,7 @@ class Study(Shown):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "study.nml")
             write_new_text(path, self._text(Path(folder), Path(folder, "results.h5")))
-            return _run("ehlwave-sweep", str(path), "--plan").stdout
+            return run_program("ehlwave-sweep", str(path), "--plan").stdout
 
     def _text(self, folder: Path, results: Path) -> str:
         sweep = {**self.lists, **self.options, "output": str(results)}
@@ -330,71 +214,8 @@ def _rows(grid: Any) -> pd.DataFrame:  # noqa: ANN401 - what users give
         ) from None
 
 
-def grouped(keys: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
-    """Return keys by the group that they belong to in an input file.
-
-    Raises ProgramError if a key is not known to the program.
-    """
-    known, groups = key_groups(), {}
-    for key, value in keys.items():
-        if key not in known:
-            near = did_you_mean(key, known)
-            raise ProgramError(
-                f"unknown key {key}{near}; ehlwave-case --keys lists all{see('keys')}"
-            )
-        groups.setdefault(known[key], {})[key] = in_si(value, key)
-    return groups
-
-
-@cache
-def key_table() -> pd.DataFrame:
-    """Return what the program says of its keys, a row each: ``ehlwave-case --keys --json``.
-
-    Columns: ``group``, ``name``, ``kind``, ``unit``, the bounds ``above``, ``minimum`` and
-    ``maximum``, ``choices``, ``default``, ``default_text``, ``required``, ``help`` and
-    ``belongs_to``, the cases that have the key.
-
-    Raises ProgramError if there is no program, or one of another version that does not say it.
-    """
-    said = _run("ehlwave-case", "--keys", "--json").stdout
-    try:
-        return pd.DataFrame(json.loads(said)["keys"])
-    except (ValueError, KeyError) as error:
-        program = find_program("ehlwave-case")
-        raise ProgramError(
-            f"{program}: lists no keys as JSON: take the program of {__package__}"
-        ) from error
-
-
-def key_groups() -> dict[str, str]:
-    """Return the group of each key."""
-    table = key_table()
-    return dict(zip(table["name"], table["group"], strict=True))
-
-
-def _with_surface_files(groups: dict[str, dict[str, Any]], folder: Path) -> dict[str, Any]:
-    """Return groups whose surfaces, where they are objects, are written to files."""
-    groups = dict(groups)
-    for group, key in SURFACES.items():
-        source = groups.get(group, {}).get(key)
-        if source is None or isinstance(source, (str, Path)):
-            continue
-        from ehlwave.surface import read_surface, write_simulation_surface
-
-        path = folder / f"{group}.h5"
-        write_simulation_surface(read_surface(source), path)
-        groups[group] = groups[group] | {key: str(path)}
-    return groups
-
-
 def _is_list(value: object) -> bool:
     return isinstance(value, Iterable) and not isinstance(value, (str, Mapping))
-
-
-def _run(name: str, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run a program; ProgramError with what it said unless its exit status is 0 or 1."""
-    done = run_following([str(find_program(name)), *arguments], None, "stdout")
-    return _check(done, (0, 1))
 
 
 def _sweep_command(ranks: int, restarts: int) -> tuple[list[str], dict[str, str]]:
@@ -407,14 +228,3 @@ def _sweep_command(ranks: int, restarts: int) -> tuple[list[str], dict[str, str]
         return ["mpirun", "-n", str(ranks), program], environment
     words = [str(script), "--ranks", str(ranks), "--restarts", str(restarts)]
     return words, environment | {"EHLWAVE_SWEEP": program}
-
-
-def _check(
-    done: subprocess.CompletedProcess[str], fine: Sequence[int]
-) -> subprocess.CompletedProcess[str]:
-    """Return what was run; ProgramError with what it said unless its exit status is fine."""
-    if done.returncode not in fine:
-        said = "; ".join((done.stderr or done.stdout).strip().splitlines())
-        command = " ".join(map(str, done.args))
-        raise ProgramError(f"{command}: exit status {done.returncode}: {said}")
-    return done
