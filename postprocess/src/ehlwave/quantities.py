@@ -168,7 +168,7 @@ def in_si(value: Any, name: str) -> Any:  # noqa: ANN401 - a value, or a list of
 
 
 def question(value: float, name: str, start: str = "") -> None:
-    """Raise SurfaceError, which asks whether a prefix was forgotten, outside the plausible range."""
+    """Raise SurfaceError, which asks about a forgotten prefix, outside the plausible range."""
     known = PLAUSIBLE.get(name)
     if known is None or known.low <= value <= known.high or value <= 0 <= known.low:
         return

@@ -138,7 +138,7 @@ class Coverage:
             self.outside.add(is_term & fits & ~covered, qx, qy, before, after)
 
     def error_m(self) -> float | None:
-        """Return the rms error of the deformed heights by the error of the transfer, m, if known."""
+        """Return the rms error of the deformed heights from the transfer's error, m, if known."""
         return None if math.isnan(self._error_square) else math.sqrt(self._error_square)
 
     def unjudged(self) -> list[Unjudged]:

@@ -158,7 +158,7 @@ def _without_mark(line: str) -> str:
 
 
 def _ends(separator: str) -> Callable[[str], bool]:
-    """Return whether a line ends with a separator and has another separator or a number before it."""
+    """Return whether a line ends with a separator after another separator or a number."""
     return lambda line: line.rstrip(" ").endswith(separator)
 
 
