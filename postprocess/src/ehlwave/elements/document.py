@@ -55,7 +55,7 @@ BOUNDARY = ("bore_m", "outside_m", "width_m")
 
 @dataclass(frozen=True)
 class ElementDocument:
-    """An element and what is asked of it.
+    """An element and its questions.
 
     Attributes
     ----------

@@ -27,7 +27,7 @@ class Asked:
     heat : Heat or None
         Thermal data of oil and bodies; None: isothermal.
     own_atlas : Atlas or None
-        Another atlas than the shipped one.
+        An atlas in place of the shipped atlas.
     eyring_stress_pa : float or None
         Eyring stress of a Ree-Eyring oil, Pa.
     table : HarmonicTable or None
@@ -59,7 +59,7 @@ class Asked:
         return self if self.heat is None else replace(self, heat=None, films={})
 
     def chart(self, slip: float | None = None) -> Chart:
-        """Return the chart of the atlas, at another slip parameter where one is given.
+        """Return the chart of the atlas, optionally at another slip parameter.
 
         Raises RangeError outside the atlas.
         """

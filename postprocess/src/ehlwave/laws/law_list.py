@@ -73,7 +73,7 @@ def _two_waves(asked: Asked) -> Transfer:
             f"slip_parameter = {slip:g} ({RATIO} = {ratio_of(slip):g}) lies outside {low:g} to "
             f"{high:g}, where the law of the two waves is known to hold"
         )
-    # The film without heat; outside the atlas of sliding contacts that of rolling stands for it.
+    # The film without heat; outside the atlas of sliding contacts the film of rolling.
     own = asked.cold()
     film = film_for(own.at_slip(1.0) if c.has_sliding_atlas else own, "laws")
     c = with_film(c, film)
@@ -157,7 +157,8 @@ def _warm(asked: Asked, law: Law) -> Transfer:
 def _with_ridges(asked: Asked, law: Law) -> Transfer:
     """Return a law's transfer whose ridges along rolling are stationary.
 
-    Slip does not change them in a Newtonian oil; in one that thins it changes the flow across them.
+    Slip does not change them in a Newtonian oil; in a shear-thinning oil it changes the flow across
+    them.
     """
     found, c = law.transfer(asked), asked.conditions
     if law.name != "two-waves":  # the atlas of sliding contacts has ridges of its own

@@ -35,15 +35,15 @@ class TableTransfer:
     Along each orientation of the table, real and imaginary part are interpolated monotonically
     (PCHIP) in log(f(r) V), V of the smaller wavelength; between orientations linearly in the angle
     arctan(lambda_x/lambda_y); between conditions as in
-    :func:`ehlwave.laws.table_conditions.weighted_conditions`. What depends on f(r) V alone
-    is thus interpolated across orientations and conditions without error.
+    :func:`ehlwave.laws.table_conditions.weighted_conditions`. Transfers that depend on f(r) V alone
+    are thus interpolated across orientations and conditions without error.
     """
 
     def __init__(self, conditions: Conditions, rows: pd.DataFrame, name: str = "table") -> None:
         """Make curves from rows of :func:`ehlwave.laws.table_read.read_table`.
 
         Raises SurfaceError if the contact does not lie among the table's conditions, or no
-        orientation of one has two wavelengths.
+        orientation of a condition has two wavelengths.
         """
         self._name = name
         self._v_per_wavelength = conditions.v_per_wavelength

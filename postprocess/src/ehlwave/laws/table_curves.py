@@ -23,7 +23,7 @@ HALVED = 4.0
 
 
 class Curve:
-    """Transfers of one orientation against log(f(r) V), V of the smaller wavelength."""
+    """Transfers of an orientation against log(f(r) V), V of the smaller wavelength."""
 
     def __init__(
         self, angle: float, log_v: Waves, transfer: Complex, error: Waves | None = None
@@ -72,7 +72,7 @@ class Curve:
         return np.asarray((log_v >= self.log_v[0] - 1e-9) & (log_v <= self.log_v[-1] + 1e-9))
 
     def _continued(self, log_v: Waves, power: int) -> Complex:
-        """Return values, of shorter waves the first, of longer ones with a power of the formula."""
+        """Return values: the first for shorter waves, a power of the formula for longer waves."""
         value = np.interp(log_v, self._fine, self._values)
         long = log_v > self.log_v[-1]
         if np.any(long):
@@ -97,8 +97,7 @@ def _monotone(log_v: Waves, transfer: Complex, at: Waves) -> Complex:
 def _between(log_v: Waves, transfer: Complex) -> Waves:
     """Return the error of the interpolation in each interval.
 
-    The interpolation without a wave misses it by HALVED times as much as the one with it misses
-    what lies half-way. Two or three waves alone: a quarter of what they differ by.
+    Without a wave the interpolation misses it by HALVED times its error half-way with it. Two or three waves alone: a quarter of what they differ by.
     """
     count = log_v.size
     if count < 4:
@@ -113,13 +112,13 @@ def _between(log_v: Waves, transfer: Complex) -> Waves:
 
 
 class Chart:
-    """Transfers of one condition: curves of several orientations, by their angle."""
+    """Transfers of a condition: curves of several orientations, by their angle."""
 
     def __init__(self, curves: list[Curve]) -> None:
         self.curves = curves
 
     def at(self, angle: Waves, log_v: Waves) -> Complex:
-        """Return transfers, linear in the angle between curves, the nearest one beyond them."""
+        """Return transfers, linear in the angle between curves, the nearest curve beyond them."""
         value = np.empty(angle.shape, dtype=np.complex128)
         for chosen, low, high, share in self._sectors(angle):
             wave = log_v[chosen]
@@ -189,7 +188,7 @@ def _orientations(rows: pd.DataFrame, name: str) -> list[tuple[float, Waves, pd.
     m, l, d = (float(rows[key].iloc[0]) for key in ("M", "L", "D"))  # noqa: E741
     moes = {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d}
     contact = conditions_from_keys(moes, name, needs_lengths=False)
-    # With a = 1 a wavelength in units of a is one in metres.
+    # With a = 1 a wavelength in units of a is in metres.
     v_per_wave = replace(contact, semi_axis_a_m=1.0).v_per_wavelength
     groups = []
     for angle, members in rows.groupby(rows["angle"].round(6)):

@@ -48,7 +48,7 @@ def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
     if "mean_film_rise" in points:
         columns["mean_rise"] = _mean_rise(points)
     table = pd.DataFrame(columns).sort_values(list(keys), ignore_index=True)
-    table_rows(table, "results")  # refuses what deform --table would
+    table_rows(table, "results")  # refuses files that deform --table would refuse
     return table
 
 
@@ -63,10 +63,10 @@ def _transfer(points: xr.Dataset) -> NDArray[np.complex128]:
 
 
 def _mean_rise(points: xr.Dataset) -> NDArray[np.float64]:
-    """Return what one wave adds to the mean film, over the film, per square of amplitude over film.
+    """Return the rise of the mean film by a wave, over the film, per square of amplitude over film.
 
     A product of cosines is two waves that interfere along its crests, where the response is taken:
-    what they do to the mean of a whole surface is not known from there, and stays NaN.
+    their effect on the mean of a whole surface does not follow, and stays NaN.
     """
     rise = (points["mean_film_rise"] / points["amplitude_over_film"]).values
     is_product = (points["wavelength_x_over_a"] > 0) & (points["wavelength_y_over_a"] > 0)

@@ -40,7 +40,7 @@ def traction(
     Parameters
     ----------
     keys : mapping
-        Of one smooth contact, as of :class:`ehlwave.Case`; the ratios replace its slip. With
+        Keys of a smooth contact, as for :class:`ehlwave.Case`; the ratios replace its slip. With
         keys of ``&heat`` there is friction with heat; with ``shear_limit_over_pressure`` friction
         with this limit, besides.
     ratios : sequence of float

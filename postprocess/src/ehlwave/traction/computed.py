@@ -74,7 +74,7 @@ def computed_table(
 
 
 def _no_friction(warnings: "pd.Series[str]") -> str:
-    """Return why no case has a friction, with what the program says."""
+    """Return why no case has a friction, with the message of the program."""
     said = next((str(text).split("; ")[0] for text in warnings if text), "")
     return (
         "friction is not known at any ratio"

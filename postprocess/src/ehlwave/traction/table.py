@@ -44,7 +44,7 @@ class Traction:
 
     @property
     def warnings(self) -> list[str]:
-        """Return what the program warns of, each once, with the ratios where it does."""
+        """Return the warnings of the program, each once, with their ratios."""
         first: dict[str, str] = {}
         rows: dict[str, list[int]] = {}
         for row, text in enumerate(self.table.get("warning", ())):
