@@ -97,7 +97,8 @@ def _monotone(log_v: Waves, transfer: Complex, at: Waves) -> Complex:
 def _between(log_v: Waves, transfer: Complex) -> Waves:
     """Return the error of the interpolation in each interval.
 
-    Without a wave the interpolation misses it by HALVED times its error half-way with it. Two or three waves alone: a quarter of what they differ by.
+    Without a wave the interpolation misses it by HALVED times its error half-way with it. Two or
+    three waves alone: a quarter of their differences.
     """
     count = log_v.size
     if count < 4:
