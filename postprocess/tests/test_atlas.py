@@ -49,7 +49,7 @@ def test_a_committee_learns_a_function_and_is_written_as_it_was_learned(tmp_path
 
 
 def learned() -> dict[str, Waves | Films | Errors]:
-    """Return one of each of what networks learn, of 30 points."""
+    """Return a set of each kind of training data, of 30 points."""
     random = np.random.default_rng(4)
     shape = Shape(*(random.uniform(*limits, 30) for limits in ((30, 900), (3, 15), (0.1, 1))))
     seen = shape.seen(random.uniform(0.2, 3, 30), random.uniform(0, 90, 30))
@@ -207,7 +207,7 @@ def test_waves_raise_the_mean_film_as_computed() -> None:
 
 
 def test_under_slip_the_law_of_the_two_waves_answers() -> None:
-    # 512 x 384 cells, extrapolated; the stress lies above those of the atlas
+    # 512 x 384 cells, extrapolated; the stress lies above the range of the atlas
     contact = ehlwave.Contact(**MOES, reduced_modulus_pa=226e9, eyring_stress_pa=500e6)
     for wave, computed in ((0.5, 0.855), (1.0, 0.685)):
         found = contact.response(wavelength_over_a=wave, slip_parameter=1.1)

@@ -1,4 +1,4 @@
-"""All doors of the package give one answer: the list of laws decides."""
+"""All entry points of the package give the same answer: the list of laws decides."""
 
 import ast
 from pathlib import Path
