@@ -4,6 +4,7 @@
 !> need no key: ln(eta/eta0) at every pressure ('alpha') and the stress of the flow law ('stress'). Load, speed,
 !> geometry, E' and viscosity at ambient pressure stay as they are then.
 module ehlwave_sensitivity_case
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t, gradient_t, of_central_film, of_friction, of_minimum_film, of_phase, &
       of_ratio, of_rolling_coefficient, of_rolling_force
@@ -14,7 +15,7 @@ module ehlwave_sensitivity_case
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_inlet_oil, only: inlet_oil_t
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, no_value
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_response_gradient, only: differentiate_response
    use ehlwave_rolling_result, only: rolling_coefficient
@@ -108,7 +109,8 @@ contains
       integer :: k
 
       base = level%state
-      gradient%of(:of_rolling_force) = 0
+      call take_results(level%problem, base, base, values)
+      gradient%of(:of_rolling_force) = merge(0.0_dp, values, ieee_is_finite(values))   ! NaN stays
       do k = 1, size(variable%variants)
          call variable%stand_in(k, level%problem, problem)
          call moved_state(problem, variable%changes_kernel, level%given, base, change, variable%variants(k)%place, state)
@@ -147,9 +149,8 @@ contains
 
    !> NaN for 0 and NaN.
    elemental real(dp) function ln_modulus(value)
-      use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
       real(dp), intent(in) :: value
-      ln_modulus = ieee_value(value, ieee_quiet_nan)
+      ln_modulus = no_value
       if (abs(value) > 0) ln_modulus = log(abs(value))
    end function ln_modulus
 

@@ -1,9 +1,11 @@
 !> Quantities of sensitivities, see `ehlwave_quantities`: derivatives by every input, `sensitivity_RESULT_KEY`.
 module ehlwave_sensitivity_quantities
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t, gradient_t, gradients, of_central_film, of_friction, of_minimum_film, &
       of_phase, of_ratio, of_rolling_coefficient, of_rolling_force
    use ehlwave_case_variables, only: variable_names
+   use ehlwave_kinds, only: no_value
    use ehlwave_quantity, only: quantity_list_t
    implicit none (type, external)
    private
@@ -27,13 +29,24 @@ contains
       associate (names => variable_names(case))
          do n = 1, size(names)
             if (allocated(result%by_key)) then
-               call add_gradient(list, case, result%by_key(n))
+               call add_gradient(list, case, of_known_results(result%by_key(n), result))
             else
                call add_gradient(list, case, gradient_t(name=names(n)))
             end if
          end do
       end associate
    end subroutine add_sensitivities
+
+   !> Without those of results that are not given.
+   pure function of_known_results(gradient, result) result(known)
+      type(gradient_t), intent(in) :: gradient
+      type(case_result_t), intent(in) :: result
+      type(gradient_t) :: known
+      known = gradient
+      if (.not. ieee_is_finite(result%shear%friction_coefficient)) known%of(of_friction) = no_value
+      if (.not. ieee_is_finite(result%rolling%coefficient)) &
+         known%of([of_rolling_coefficient, of_rolling_force]) = no_value
+   end function of_known_results
 
    !> Name of a derivative.
    pure function sensitivity_name(of, key) result(name)

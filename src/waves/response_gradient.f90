@@ -14,6 +14,7 @@ module ehlwave_response_gradient
    use ehlwave_load_balance, only: harmonic_inertia
    use ehlwave_reynolds, only: reynolds_change
    use ehlwave_state, only: state_t
+   use ehlwave_status, only: status_converged
    use ehlwave_steady_tangent, only: tangent_change_t
    use ehlwave_transport, only: harmonic_wedge
    use ehlwave_waviness, only: waviness_t
@@ -83,7 +84,11 @@ contains
          do i = 1, size(edge)
             r(finest%equations%edges%i(i), finest%equations%edges%j(i)) = edge(i)
          end do
-         call harmonic%respond_to(levels, b, derivative)
+         if (maxval(abs(b)) > 0) then
+            call harmonic%respond_to(levels, b, derivative)
+         else
+            derivative = harmonic_response_t(status=status_converged, h=0*response%h, p=0*response%p)
+         end if
          derivative%h = derivative%h + dh
          call derivative%take_centre(level%problem%grid)
       end associate
