@@ -1,4 +1,4 @@
-"""``ehlwave deform`` and ``ehlwave surface``: what they do."""
+"""Actions of ``ehlwave deform`` and ``ehlwave surface``."""
 
 import argparse
 import json
@@ -127,7 +127,7 @@ def run_surface(options: argparse.Namespace) -> None:
     start = options.period_start
     if options.period is not None:
         start_m = None if start is None else start * 1e-6
-        # The form is that of the whole trace: one wave of it has a tilt of its own.
+        # The form belongs to the whole trace: a single wave of it has a tilt of its own.
         surface = cut_period(remove_form(surface, form), options.period * 1e-6, start_m)
         form = "none"
     elif start is not None:

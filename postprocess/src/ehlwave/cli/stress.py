@@ -1,4 +1,4 @@
-"""``ehlwave stress``: what it does."""
+"""Actions of ``ehlwave stress``."""
 
 import argparse
 import json
@@ -42,7 +42,7 @@ def run_stress(options: argparse.Namespace) -> None:
 
 
 def _of_case(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: ANN401
-    """Judge a file of ``ehlwave-case``; return what was written."""
+    """Judge a file of ``ehlwave-case``; return the written files."""
     if not _is_hdf5(options.file):
         raise StressError(
             f"{options.file}: not a file of ehlwave-case --output; of a measured surface say what "
@@ -65,7 +65,7 @@ def _of_case(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: A
 
 
 def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: ANN401
-    """Judge a measured surface; return what was written."""
+    """Judge a measured surface; return the written files."""
     if options.body is not None:
         raise StressError(
             "body= is for a file of ehlwave-case: of a surface both bodies are judged and written, "

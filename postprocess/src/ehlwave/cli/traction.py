@@ -1,4 +1,4 @@
-"""``ehlwave traction``: what it does."""
+"""Actions of ``ehlwave traction``."""
 
 import argparse
 import json
@@ -14,7 +14,7 @@ def run_traction(options: argparse.Namespace) -> None:
     try:
         keys = read_keys(options.case)
         found = traction(keys, options.ratios, options.ranks, progress=False)
-    except ArgumentError as error:  # of a command an argument is an input
+    except ArgumentError as error:  # in a command, an argument is an input
         raise ResultsError(str(error)) from error
     for row in found.table.itertuples():
         if row.status != "converged":
@@ -49,7 +49,7 @@ def summary(found: Traction) -> dict[str, object]:
 
 
 def text_of(found: Traction) -> str:
-    """Return what a user reads: a row a ratio, and where friction is largest, warnings."""
+    """Return the report: a row per ratio, the place of the largest friction, warnings."""
     table = found.table
     columns = [name for name in CURVES if name in table]
     heads = {"limited": "limited", "limited_thermal": "both"}

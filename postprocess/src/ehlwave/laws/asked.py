@@ -25,7 +25,7 @@ class Asked:
     heat : Heat or None
         Thermal data of oil and bodies; None: isothermal.
     own_atlas : Atlas or None
-        Another atlas than the shipped one.
+        An atlas in place of the shipped atlas.
     eyring_stress_pa : float or None
         Eyring stress of a Ree-Eyring oil, Pa.
     """
@@ -40,7 +40,7 @@ class Asked:
         return replace(self, conditions=replace(self.conditions, slip_parameter=slip))
 
     def chart(self, slip: float | None = None) -> Chart:
-        """Return the chart of the atlas, at another slip parameter where one is given.
+        """Return the chart of the atlas, optionally at another slip parameter.
 
         Raises RangeError outside the atlas.
         """

@@ -12,8 +12,7 @@ from dataclasses import dataclass, replace
 
 from ehlwave.choices import LAWS, chosen
 from ehlwave.contact.conditions import Conditions
-from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import RangeError, SurfaceError, see
 from ehlwave.inputs.slip import RATIO, ratio_of
 from ehlwave.laws.answers import Film
 from ehlwave.laws.asked import Asked
@@ -67,7 +66,7 @@ def _two_waves(asked: Asked) -> Transfer:
             f"slip_parameter = {slip:g} ({RATIO} = {ratio_of(slip):g}) lies outside {low:g} to "
             f"{high:g}, where the law of the two waves is known to hold"
         )
-    if c.has_sliding_atlas:  # outside it: the film of rolling stands for it
+    if c.has_sliding_atlas:  # outside it, the film of pure rolling applies
         c = replace(with_atlas_film(replace(c, slip_parameter=1.0)), slip_parameter=slip)
     else:
         c = with_atlas_film(c, asked.atlas())
@@ -144,7 +143,8 @@ def _warm(asked: Asked, law: Law) -> Transfer:
 def _with_ridges(asked: Asked, law: Law) -> Transfer:
     """Return a law's transfer whose ridges along rolling are stationary.
 
-    Slip does not change them in a Newtonian oil; in one that thins it changes the flow across them.
+    Slip does not change them in a Newtonian oil; in a shear-thinning oil it changes the flow across
+    them.
     """
     found, c = law.transfer(asked), asked.conditions
     if law.name != "two-waves":  # the atlas of sliding contacts has ridges of its own

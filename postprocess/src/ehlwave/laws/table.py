@@ -21,7 +21,7 @@ FINE_POINTS = 2000
 
 
 class _Curve:
-    """Transfers of one orientation against log(f(r) V), V of the smaller wavelength."""
+    """Transfers of an orientation against log(f(r) V), V of the smaller wavelength."""
 
     def __init__(self, angle: float, log_v: Waves, transfer: Complex) -> None:
         """Interpolate real and imaginary part monotonically between increasing waves."""
@@ -49,7 +49,7 @@ class _Curve:
         return np.asarray((log_v >= self.log_v[0] - 1e-9) & (log_v <= self.log_v[-1] + 1e-9))
 
     def _continued(self, log_v: Waves, power: int) -> Complex:
-        """Return values, of shorter waves the first, of longer ones with a power of the formula."""
+        """Return values: the first for shorter waves, a power of the formula for longer waves."""
         value = np.interp(log_v, self._fine, self._values)
         long = log_v > self.log_v[-1]
         if np.any(long):
@@ -67,13 +67,13 @@ class _RiseCurve(_Curve):
 
 
 class _Chart:
-    """Transfers of one condition: curves of several orientations, by their angle."""
+    """Transfers of a condition: curves of several orientations, by their angle."""
 
     def __init__(self, curves: list[_Curve]) -> None:
         self.curves = curves
 
     def at(self, angle: Waves, log_v: Waves) -> Complex:
-        """Return transfers, linear in the angle between curves, the nearest one beyond them."""
+        """Return transfers, linear in the angle between curves, the nearest curve beyond them."""
         value = np.empty(angle.shape, dtype=np.complex128)
         angles = [curve.angle for curve in self.curves]
         last = max(1, len(angles) - 1)
@@ -104,15 +104,15 @@ class TableTransfer:
     Along each orientation of the table, real and imaginary part are interpolated monotonically
     (PCHIP) in log(f(r) V), V of the smaller wavelength; between orientations linearly in the angle
     arctan(lambda_x/lambda_y); between conditions as in
-    :func:`ehlwave.laws.table_conditions.weighted_conditions`. What depends on f(r) V alone
-    is thus interpolated across orientations and conditions without error.
+    :func:`ehlwave.laws.table_conditions.weighted_conditions`. Transfers that depend on f(r) V alone
+    are thus interpolated across orientations and conditions without error.
     """
 
     def __init__(self, conditions: Conditions, rows: pd.DataFrame, name: str = "table") -> None:
         """Make curves from rows of :func:`ehlwave.laws.table_read.read_table`.
 
         Raises SurfaceError if the contact does not lie among the table's conditions, or no
-        orientation of one has two wavelengths.
+        orientation of a condition has two wavelengths.
         """
         self._name = name
         self._v_per_wavelength = conditions.v_per_wavelength
@@ -210,7 +210,7 @@ def _orientations(rows: pd.DataFrame, name: str) -> list[tuple[float, Waves, pd.
     m, l, d = (float(rows[key].iloc[0]) for key in ("M", "L", "D"))  # noqa: E741
     moes = {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d}
     contact = conditions_from_keys(moes, name, needs_lengths=False)
-    # With a = 1 a wavelength in units of a is one in metres.
+    # With a = 1 a wavelength in units of a is in metres.
     v_per_wave = replace(contact, semi_axis_a_m=1.0).v_per_wavelength
     groups = []
     for angle, members in rows.groupby(rows["angle"].round(6)):

@@ -1,17 +1,16 @@
 """Read harmonic tables.
 
-A table has one row per wave: the operating condition ``M``, ``L``, ``D``, and ``slip_parameter``
-(1 if absent) or ``slide_to_roll_ratio``; the wave by ``lambda_x_over_a`` and ``lambda_y_over_b``,
-0 standing for infinite, or by ``lambda_over_a`` (the smaller, both in units of a) and ``r`` =
+A table has a row per wave: the operating condition ``M``, ``L``, ``D``, and ``slip_parameter`` (1
+if absent) or ``slide_to_roll_ratio``; the wave by ``lambda_x_over_a`` and ``lambda_y_over_b``, 0
+for infinite, or by ``lambda_over_a`` (the smaller, both in units of a) and ``r`` =
 lambda_x/lambda_y; and the transfer by ``transfer_real`` and ``transfer_imag``, or by
-``amplitude_ratio``, which has no phase.
-CSV, or HDF5 with one dataset per column.
+``amplitude_ratio``, which has no phase. CSV, or HDF5 with a dataset per column.
 
 The transfer is the ratio of the film's component at the contact centre to the surface's, both
 written as exp(i qx x) with x counted on the surface along its motion.
 
-``mean_rise``, which may be absent, is what one such wave of amplitude A adds to the mean film at
-the contact centre, to second order: (mean film less smooth film)/film = ``mean_rise`` (A/film)^2.
+``mean_rise``, which may be absent, is the rise of the mean film at the contact centre by such a
+wave of amplitude A, to second order: (mean film less smooth film)/film = ``mean_rise`` (A/film)^2.
 
 Other keys that a response depends on (:mod:`ehlwave.laws.table_keys`) are columns of their names;
 a table serves contacts whose keys are its own.

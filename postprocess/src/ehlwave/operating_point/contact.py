@@ -27,12 +27,12 @@ if TYPE_CHECKING:
 
 
 class Contact(WavyContact):
-    """A lubricated contact of smooth bodies, one of which is rough or wavy.
+    """A lubricated contact of smooth bodieswith a rough or wavy surface.
 
     Parameters
     ----------
     atlas : path, optional
-        Another atlas file than that of the package.
+        An atlas file in place of the package's.
     heat : Heat, optional
         How oil and bodies conduct and store heat: film and friction are those with heat, by the
         laws of :mod:`ehlwave.laws.heat_laws`. Waves stay isothermal, over the film with heat.
@@ -127,7 +127,7 @@ class Contact(WavyContact):
         transfer : Transfer, optional
             In place of a law of the list, such as :class:`ehlwave.surface.TableTransfer`.
         **reading
-            Of :class:`ehlwave.surface.ReadOptions`, for what the surface does not say.
+            Of :class:`ehlwave.surface.ReadOptions`, for data that the surface lacks.
 
         Raises
         ------
@@ -171,7 +171,7 @@ class Contact(WavyContact):
         Parameters
         ----------
         surface, second : Surface, path, array or topography
-            Of the body that moves with S, and of the other one, which moves with 2 - S. Their
+            Surfaces of the body that moves with S, and of the second, which moves with 2 - S. Their
             phases are free: mean squares of their heights add.
         **options
             As of :meth:`deform`, for both.
@@ -231,7 +231,7 @@ class Contact(WavyContact):
         transfer: Transfer | None = None,
         **reading: Any,  # noqa: ANN401
     ) -> Deformed:
-        """Return what :meth:`deform` does, and warn of nothing."""
+        """Return the result of :meth:`deform`, without warnings."""
         if not math.isfinite(self._given.semi_axis_a_m):
             raise SurfaceError(
                 "Contact: a surface in metres needs semi_axis_a_m and radius_x_m besides M, L and D"
@@ -248,7 +248,7 @@ class Contact(WavyContact):
     def _filmed(self, by: str | None) -> tuple[Conditions, list[str]]:
         """Return conditions with their film and the warnings about it.
 
-        Where no law holds and nothing computes it, a formula stands in, with its error.
+        Where no law holds and nothing computes it, a formula applies, with its error.
         """
         c = self._given
         if c.has_given_film or c.metres_per_moes is None:
@@ -267,16 +267,16 @@ class Contact(WavyContact):
         second: Surface | SurfaceSource | None = None,
         **options: Any,  # noqa: ANN401
     ) -> RoughStress:
-        """Return the stresses below both bodies with a measured surface, or one on each.
+        """Return the stresses below both bodies with a measured surface, or a surface on each.
 
         Parameters
         ----------
         surface, second : Surface, path, array or topography
-            Of the first body, whose slip parameter is that of the contact, and of the other one;
-            without, that one is smooth.
+            Surface of the first body, whose slip parameter is the contact's, and of the second,
+            which is smooth by default.
         **options
             ``friction``, ``cycles``, ``poisson_ratio``, ``depths_m`` and ``smooth`` of
-            :func:`ehlwave.stress.stress_of_contact`; those of :meth:`deform`. Without
+            :func:`ehlwave.stress.stress_of_contact`; options of :meth:`deform`. Without
             ``poisson_ratio`` bodies of :meth:`from_bodies` have their own, others 0.3.
 
         Examples
@@ -306,7 +306,7 @@ class Contact(WavyContact):
     ) -> float:
         """Return the mean film over Rq of the deformed surface, or of both.
 
-        Its error is ``deform(...).statistics.lambda_error``, that of both
+        Its error is ``deform(...).statistics.lambda_error``, for both
         ``deform_pair(...).statistics.lambda_error``.
 
         Parameters

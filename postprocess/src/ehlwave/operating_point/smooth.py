@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 class SmoothContact:
-    """What :class:`ehlwave.Contact` knows of its smooth bodies; its parameters are said there."""
+    """Smooth bodies of :class:`ehlwave.Contact`, whose documentation lists its parameters."""
 
     def __init__(
         self,
@@ -58,7 +58,7 @@ class SmoothContact:
             check_heat(self._given, heat)
 
     def __setattr__(self, name: str, value: object) -> None:
-        """Refuse changes: what was found for one contact would stand beside data of another."""
+        """Refuse changes: results of a contact would remain beside data of another."""
         if not name.startswith("_"):
             raise AttributeError(
                 f"Contact.{name} = {value!r}: a contact does not change; "
@@ -143,7 +143,7 @@ class SmoothContact:
         heat: Heat | bool | None = None,
         **keys: Any,  # noqa: ANN401
     ) -> Self:
-        """Return the contact of two bodies, the rough one first.
+        """Return the contact of two bodies, the rough body first.
 
         Reduced radii, reduced modulus, mean speed and slip follow from them (``src/theory.md``,
         section 1). Where both bodies are flat across rolling it is a line contact.
@@ -151,7 +151,7 @@ class SmoothContact:
         Parameters
         ----------
         body1, body2 : Body
-            The rough body, and the other one.
+            The rough body, and the second.
         oil : Oil, optional
             In place of ``viscosity_pa_s``, ``pressure_viscosity_per_pa`` and other keys of an oil.
         atlas : path, optional
@@ -159,8 +159,8 @@ class SmoothContact:
         heat : Heat or bool, optional
             True: film and friction with heat, by the own data of the oil and both bodies.
         **keys
-            ``load_n``, of a line contact with ``length_m``, or ``load_n_per_m``;
-            ``speeds_m_per_s``, those of both surfaces (u1, u2), or ``mean_speed_m_per_s`` with
+            ``load_n``, for a line contact with ``length_m``, or ``load_n_per_m``;
+            ``speeds_m_per_s``, of both surfaces (u1, u2), or ``mean_speed_m_per_s`` with
             ``slide_to_roll_ratio``; the keys of the oil.
 
         Raises
@@ -200,7 +200,7 @@ class SmoothContact:
         return contact
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state for pickling, without what is found anew where it is needed."""
+        """Return the state for pickling, without values that are recomputed when needed."""
         return vars(self) | {"_films": {}, "_transfers": {}}
 
     def __repr__(self) -> str:
@@ -248,7 +248,7 @@ class SmoothContact:
         return None if self._atlas is None else load_atlas(self._atlas)
 
     def _asked(self, slip: float | None = None) -> Asked:
-        """Return the contact as laws are asked about it, at another slip where one is given."""
+        """Return the contact as input of laws, optionally at another slip."""
         c = self._given if slip is None else replace(self._given, slip_parameter=slip)
         return Asked(c, self._heat, self._own_atlas(), self._eyring_stress_pa)
 

@@ -1,4 +1,4 @@
-"""What the arguments of several commands share; needs the standard library alone."""
+"""Shared arguments of several commands; needs the standard library alone."""
 
 import argparse
 from collections.abc import Callable
@@ -34,7 +34,7 @@ def add_overwrite(parser: argparse.ArgumentParser) -> None:
 
 
 def add_reading(parser: argparse.ArgumentParser) -> None:
-    """Add the options that say what a surface file does not."""
+    """Add the options for data that a surface file lacks."""
     text = "of positions and --step, where the file states none: m, mm, um, nm"
     parser.add_argument("--length-unit", metavar="UNIT", help=text)
     text = "of heights, where the file states none: m, mm, um, nm"
