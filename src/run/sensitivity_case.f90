@@ -113,7 +113,8 @@ contains
       gradient%of(:of_rolling_force) = merge(0.0_dp, values, ieee_is_finite(values))   ! NaN stays
       do k = 1, size(variable%variants)
          call variable%stand_in(k, level%problem, problem)
-         call moved_state(problem, variable%changes_kernel, level%given, base, change, variable%variants(k)%place, state)
+         call moved_state(problem, variable%changes_kernel, level%given, base, change, variable%variants(k)%place, &
+                          state)
          call take_results(problem, state, base, values)
          gradient%of(:of_rolling_force) = gradient%of(:of_rolling_force) + variable%variants(k)%weight*values
          call variable%give_back(level%problem, problem)
@@ -124,7 +125,8 @@ contains
    !> NaN: no such result.
    subroutine take_results(problem, state, base, values)
       type(contact_problem_t), intent(in) :: problem
-      type(state_t), intent(in) :: state, base          !! smallest film and cavitated nodes stay where they are at the base
+      type(state_t), intent(in) :: state, base          !! node of the smallest film and cavitated
+                                                        !! nodes are those of the base
       real(dp), intent(out) :: values(:)
       real(dp), allocatable, dimension(:, :) :: b, factor_x, factor_y, stress
       real(dp) :: friction, length
