@@ -38,7 +38,7 @@ def predicted_figure(trained: Both, fresh: Both) -> Figure:
 
 
 def amplitude_figure(pairs: Pairs) -> Figure:
-    """Draw |a| against the parameter of an incompressible oil, and effects of compressibility."""
+    """Draw |a| against the parameter of an incompressible oil, and for compressible oils."""
     t = pairs.table
     power = -(t["along"] / 3)
     x = 0.263 * t["wave_n"] * np.sqrt(t["load"]) * t["l"] ** power
