@@ -234,7 +234,7 @@ def _finish_panel(axes: Axes, orientation: str) -> None:
     axes.set_yticks(np.arange(0, 1.01, 0.2))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.tick_params(which="both", direction="in", top=True, right=True)
-    axes.text(0.97, 0.94, orientation, transform=axes.transAxes, ha="right", va="top")
+    axes.text(0.95, 0.90, orientation, transform=axes.transAxes, ha="right", va="top")
 
 
 def _marker_style(marker: str, colour: str) -> dict[str, Any]:
