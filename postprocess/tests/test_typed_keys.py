@@ -1,4 +1,4 @@
-"""Keys are typed arguments: the types are those of the program, and mypy refuses a wrong key."""
+"""Keys are typed arguments: the types match the program, and mypy refuses a wrong key."""
 
 import os
 import subprocess
@@ -37,7 +37,7 @@ WRONG = {
 
 
 def checked(text: str, folder: Path) -> list[str]:
-    """Return what mypy says of a text."""
+    """Return the output of mypy for a text."""
     pytest.importorskip("mypy")
     (folder / "snippet.py").write_text(text)
     options = ["--follow-imports=silent", "--ignore-missing-imports", "--no-site-packages"]
