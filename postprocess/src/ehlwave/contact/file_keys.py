@@ -22,7 +22,7 @@ OF_ROUGHNESS = ("waviness", "waviness2", "surface", "surface2")
 KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
 """Laws of :class:`ehlwave.contact.medium.Oil`; files may name others."""
 LAW_PREFIXES = ("mcewen_", "yasutomi_", "doolittle_", "tait_", "viscosity_table")
-"""Of the parameters of other laws."""
+"""Prefixes of the parameters of other laws."""
 OWN_COEFFICIENT = ("mcewen", "yasutomi", "doolittle", "table")
 """Laws of viscosity that have no `pressure_viscosity_per_pa`."""
 FLOW_LAW, TEMPERATURE = "flow_law", "temperature_k"
@@ -45,8 +45,8 @@ NOT_USED: dict[str, tuple[float | str, str]] = {
     "load_factor": (1, "films and responses are those of the load before its step"),
     "wave_temperatures": ("frozen", "waves are those without heat, over the film with heat"),
 }
-"""Keys of which predictions say that they do not use them: the value that needs no word, and what
-holds instead."""
+"""Keys that predictions report as unused: the value without a message, and the assumption instead.
+"""
 
 LEFT_OUT = (
     OF_WAVES
