@@ -19,7 +19,7 @@ ELLIPTIC_FACTOR = math.sqrt(2 * math.pi**3 / 3)
 """Factor of V = factor (lambda/a) (alpha ph)^(3/2) L^(-2), eq. (17), for elliptical contacts."""
 
 LINE_FACTOR = (2 * math.pi) ** 0.75
-"""The same, strictly for a line contact."""
+"""Factor of a line contact, exactly."""
 
 
 def section(folder: Path) -> Section:
