@@ -47,7 +47,7 @@ COLUMNS = ("loading", "slide_to_roll_ratio", "wall", "film_over_approach", "radi
 
 
 def contacts(count: int, is_line: bool) -> list[Row]:
-    """Return as many contacts as `count`, drawn as those of ``studies.heat``, rounder ones too."""
+    """Return `count` contacts, drawn as in ``studies.heat``, also rounder contacts."""
     rng = np.random.default_rng(SEED + is_line)
     rows: list[Row] = []
     while len(rows) < count:
@@ -86,7 +86,7 @@ def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
 
 
 def usable(folder: Path) -> pd.DataFrame:
-    """Return what the law takes of the contacts that converged on a grid that resolves them."""
+    """Return the input of the law for contacts that converged on a resolving grid."""
     rows = []
     for name in ("lines", "points"):
         for case in read_sweep(folder, name):

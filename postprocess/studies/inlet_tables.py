@@ -122,7 +122,7 @@ def write_tables(record: Path, folder: Path | None = None) -> None:
     record : Path
         law.csv of ``scripts/study inlet``.
     folder : Path, optional
-        Where to; by default each table replaces the present one.
+        Destination; by default each table replaces the present one.
     """
     for name, text in tables(record).items():
         Writer(overwrite=True).text((folder or HOMES[name]) / name, text)

@@ -28,7 +28,7 @@ ROOTS, ROUNDS = 2**21, 200
 
 @dataclass(frozen=True)
 class Row:
-    """One line of the table; seconds are those of the fastest runs."""
+    """A line of the table; seconds of the fastest runs."""
 
     work: str
     cells: int
@@ -67,7 +67,7 @@ Seconds = Callable[[], float]
 
 
 def _row(work: str, cells: int, threads: int, shared: Seconds, apart: Seconds, repeats: int) -> Row:
-    """Take the fastest of what is shared and of what runs side by side, measured by turns."""
+    """Take the fastest of shared and of simultaneous runs, measured in turn."""
     seconds = [(shared(), apart()) for _ in range(repeats)]
     one, many = map(min, zip(*seconds, strict=True))
     return Row(work, cells, threads, one, many, many / one / threads)

@@ -12,8 +12,8 @@ import pytest
 from contact import BALL
 
 import ehlwave
+from ehlwave import Case, Study
 from ehlwave.contact import Oil
-from ehlwave.driver import Case, Study
 from ehlwave.surface import (
     FormulaTransfer,
     Mover,
@@ -72,7 +72,7 @@ def refit_row() -> ehlwave.RefitRow:
 
 
 def unused(kind: type) -> Case | Study:
-    """Return a case or study without a program, which knows its keys."""
+    """Return a case or study without a program, with its keys."""
     made = kind.__new__(kind)
     made.groups = {"conditions": {"load_parameter_m": 10}}
     if kind is Study:

@@ -1,4 +1,4 @@
-"""Keys are typed arguments: the types are those of the program, and mypy refuses a wrong key."""
+"""Keys are typed arguments: the types match the program, and mypy refuses a wrong key."""
 
 import os
 import subprocess
@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 import ehlwave
+from ehlwave.cases.keys import key_table
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
-from ehlwave.driver import key_table
 from ehlwave.inputs.keys import CaseKeys, ContactKeys, StudyKeys
 from ehlwave.programs.programs import find_program
 from studies import typed_keys
@@ -37,7 +37,7 @@ WRONG = {
 
 
 def checked(text: str, folder: Path) -> list[str]:
-    """Return what mypy says of a text."""
+    """Return the output of mypy for a text."""
     pytest.importorskip("mypy")
     (folder / "snippet.py").write_text(text)
     options = ["--follow-imports=silent", "--ignore-missing-imports", "--no-site-packages"]

@@ -19,7 +19,7 @@ DRAWN, MUTATED = (5000, 5000) if IS_LONG else (60, 60)
 
 
 def listing(path):
-    """What namelist_listing.f90 prints, of the Python reader."""
+    """Return the output of namelist_listing.f90 for the Python reader."""
     try:
         found = read_namelist(path)
     except SurfaceError as error:
@@ -35,14 +35,14 @@ def listing(path):
 
 
 def listed(value):
-    """One value in each kind."""
+    """A value of each kind."""
     return ["q" if value.is_quoted else "w", str(value.line), "x" + value.text.hex().upper(),
             reading(real, value, lambda number: struct.pack(">d", number).hex().upper()), reading(whole, value, str),
             reading(truth, value, lambda is_true: "t" if is_true else "f")]
 
 
 def reading(read, value, written):
-    """A value of one kind as text, '-' where it has another."""
+    """A value of a kind as text, '-' where it has another."""
     try:
         return written(read(value))
     except ValueError:

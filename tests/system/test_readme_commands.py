@@ -1,4 +1,4 @@
-"""Every command, input and Python line that a README shows runs as it stands there, or is listed here with the reason why not."""
+"""Every command, input and Python line of a README runs unchanged, or is listed here with a reason."""
 
 import contextlib
 import importlib.util
@@ -82,7 +82,7 @@ def kind(line):
 
 
 def lines(wanted):
-    """(README, line) of one kind."""
+    """(README, line) of a kind."""
     return [(readme, line) for readme in READMES for block in indented(readme) for line in block if kind(line) == wanted]
 
 
@@ -173,7 +173,7 @@ class Commands(unittest.TestCase):
                     self.command(line)
 
     def command(self, line):
-        """Run `ehlwave` in this process: loading its libraries takes longer than most of what it does."""
+        """Run `ehlwave` in this process: loading its libraries takes longer than most commands."""
         from ehlwave.cli import main
         said, here = io.StringIO(), Path.cwd()
         os.chdir(self.folder)
@@ -223,7 +223,7 @@ class Commands(unittest.TestCase):
 
     def check_link(self, readme, target):
         name, _, anchor = target.partition("#")
-        if name.startswith("/"):   # of pages of the manual: from the top level on
+        if name.startswith("/"):   # links of pages of the manual: from the top level on
             path = ROOT/name[1:]
         else:
             path = ((ROOT/readme).parent/name).resolve() if name else ROOT/readme

@@ -1,7 +1,8 @@
-"""Numbers of READMEs beside the files that they come from, or beside what the programs give.
+"""Numbers of READMEs against their source files, or against the programs.
 
 A claim is a piece of a README with `{}` for each number, and the values of these numbers. A number agrees with a value that rounds
-to it in the digits that are printed; a bound ("within 4 %", "at most") is not below the value and less than one of its last digits above.
+to it in the printed digits; a bound ("within 4 %", "at most") is not below the value and less than a unit of its last
+digit above.
 """
 
 import csv
@@ -221,7 +222,7 @@ def rolling():
 
 
 def atlas():
-    """What the files of the atlas say of themselves."""
+    """Return the statements of the files of the atlas about themselves."""
     try:
         import xarray
     except ImportError:
@@ -244,7 +245,7 @@ def atlas():
 
 
 def judged():
-    """Line contacts of the atlas beside computed ones, and those of machines."""
+    """Line contacts of the atlas beside computed contacts, and contacts of machines."""
     claims = []
     for of, name in (("line", "line"), ("line_sliding", "line, sliding"), ("line_newtonian", "line, sliding, Newtonian")):
         for what, row in (("film response, units of Ai", name), ("film response, M > 100", f"{name}, M > 100"),
@@ -326,7 +327,7 @@ def speeds():
 
 
 def errors_and_costs():
-    """The table of errors, how far models of errors and costs are off, and what results say of their own errors."""
+    """The table of errors, the accuracy of models of errors and costs, and the error estimates of results."""
     def error(cells, quantity, m, d, wave="0"):
         return 100*cell("error-vs-time/estimates.csv", "error", m=m, d=d, wavelength=wave, quantity=quantity, cells=cells, slip="1",
                         orientation="transverse" if wave != "0" else "none", lubricant_l="12.05")
@@ -412,7 +413,7 @@ CLAIMS = {"README.md": top_level, "postprocess/README.md": postprocess, "postpro
 
 
 def words(path):
-    """The text of a README in one line."""
+    """The text of a README as a single line."""
     return re.sub(r"\s+", " ", (ROOT/path).read_text(encoding="utf-8"))
 
 

@@ -1,9 +1,9 @@
 """Every number of every README is of a kind that cannot go stale, is compared, or is counted as measured by hand.
 
 By rule a number states a definition or a condition (code, equations, years, versions, exponents, `M = 100`, grids, citations), or a
-test compares it: `test_readme_numbers`, or the one of the reference of keys. What is left was measured by hand. The record
-`by_hand.csv` has how many of these each page has at most, and with which results of `scripts/accept` they were measured: when those
-change, this test fails until somebody has measured again.
+test compares it: `test_readme_numbers`, or the test of the reference of keys. The others were measured by hand. The
+record `by_hand.csv` has how many of these each page has at most, and with which results of `scripts/accept` they were
+measured: when those change, this test fails until somebody has measured again.
 """
 
 import ast
@@ -62,7 +62,7 @@ def also_compared():
 
 
 def prose(page):
-    """A page in one line, without what is run and what is generated."""
+    """A page as a single line, without run and generated parts."""
     text = (ROOT/page).read_text(encoding="utf-8")
     if page in GENERATED:
         head, mark, _ = text.partition(GENERATED[page])
@@ -73,7 +73,7 @@ def prose(page):
 
 
 def compared_by_programs():
-    """Sentences of test_readme_numbers that are compared with what the programs give."""
+    """Sentences of test_readme_numbers that are compared with the programs."""
     tree = ast.parse((Path(__file__).parent/"test_readme_numbers.py").read_text(encoding="utf-8"))
     calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "found_in"]
     return [call.args[1].value for call in calls if isinstance(call.args[1], ast.Constant)]

@@ -3,8 +3,7 @@
 from collections.abc import Iterable
 from typing import Any, Literal
 
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import did_you_mean
+from ehlwave.errors import SurfaceError, did_you_mean
 
 Form = Literal["none", "mean", "plane", "quadratic"]
 FORMS: dict[Form, int | None] = {"none": None, "mean": 0, "plane": 1, "quadratic": 2}
@@ -16,7 +15,7 @@ Axis = Literal["x", "y"]
 AXES: tuple[Axis, ...] = ("x", "y")
 """Directions of a trace, and of rolling in a file."""
 
-LAWS = ("atlas", "starved", "two-waves", "computed", "recommended", "paper")
+LAWS = ("table", "atlas", "starved", "two-waves", "computed", "recommended", "paper")
 """Laws that judge the components of a surface, by their names."""
 
 FILM_BY = ("laws", "computed")

@@ -40,7 +40,7 @@ def draw_planned(
 
 
 def run_both(number: int, row: Row, plan: Row, folder: Path, known: dict[str, str]) -> Row:
-    """Run a case and, where it converges, the finer one; keep inputs and results."""
+    """Run a case and, where it converges, the finer case; keep inputs and results."""
     path = folder / f"{number:04d}.nml"
     _write(path, row, known)
     found = _run(path)
@@ -56,8 +56,8 @@ def run_both(number: int, row: Row, plan: Row, folder: Path, known: dict[str, st
 def finer_row(row: Row, plan: Row, found: Row) -> Row:
     """Return the same case on twice the cells and half the time step, without an accuracy.
 
-    Domain, settling and time step over cell are those that the accuracy chose; tolerances are the
-    usual ones where the case has looser ones, and nothing caps the steps.
+    Domain, settling and time step over cell follow the accuracy; tolerances are the defaults where
+    the case has looser ones, and nothing caps the steps.
     """
     finer = dict(row)
     for key in ("accuracy", "largest_cells", "largest_total_steps", "largest_steps"):
@@ -79,7 +79,7 @@ def finer_row(row: Row, plan: Row, found: Row) -> Row:
 
 
 def offenders(cases: list[Row]) -> tuple[list[Row], str]:
-    """Return what is off, with what tells the case, and a summary."""
+    """Return the offenders, with the identity of the case, and a summary."""
     rows: list[Row] = []
     judged = numbers = 0
     for case in cases:
@@ -88,7 +88,7 @@ def offenders(cases: list[Row]) -> tuple[list[Row], str]:
             {"number": name, "value": found[name]} for name in compare.negative_films(found)
         ]
         work = compare.work_over_plan(found, case["plan"])
-        has_own_cap = case["row"].get("largest_total_steps", 0) > 0  # stands for that of the plan
+        has_own_cap = case["row"].get("largest_total_steps", 0) > 0  # replaces the plan's value
         if not has_own_cap and not work <= compare.MOST_WORK:
             off.append({"number": "work over plan", "value": work})
         if finer is not None and finer["status"] in SETTLED:

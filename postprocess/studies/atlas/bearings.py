@@ -1,6 +1,6 @@
 """Bearings as catalogues have them.
 
-Boundary dimensions are those of ISO 15; what is in a bearing, and how it is run, is drawn.
+Boundary dimensions follow ISO 15; the inside of a bearing, and its operation, is drawn.
 """
 
 from collections.abc import Callable, Iterator

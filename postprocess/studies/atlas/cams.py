@@ -1,6 +1,6 @@
 """Cams of valve trains on flat and on roller followers: line contacts along the cam.
 
-The cam is one of circular arcs: base circle, flanks and nose. At the nose of a cam on a flat
+The cam consists of circular arcs: base circle, flanks and nose. At the nose of a cam on a flat
 follower the surfaces move against each other, S below 0 or above 2: no key has that, and those
 places are not drawn.
 """
@@ -45,7 +45,7 @@ SEED = 1994
 
 
 def cam_contacts(eyring: bool = True, count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
-    """Yield contacts of cams, flat and roller followers in turn, either surface the rough one."""
+    """Yield contacts of cams, flat and roller followers in turn, with either surface rough."""
     random = np.random.default_rng(SEED)
     for number in range(count):
         base, lift = random.uniform(*BASE_MM), random.uniform(*LIFT_MM)

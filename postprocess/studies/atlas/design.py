@@ -81,9 +81,9 @@ class Design:
         Random contacts that the atlas is judged by. A set that was looked at while the networks
         were chosen is no judge: take another seed then.
     groups : mapping
-        What all cases share.
+        Shared keys of all cases.
     most_cells : int
-        In one direction, where short waves have more than their contact; 0: they have not.
+        Directions in which short waves exceed their contact; 0: none.
     """
 
     kind: Kind
@@ -105,7 +105,7 @@ class Design:
             return fitted_grid(contact)
         m, l, d = (contact[key] for key in MOES_KEYS)
         kappa = ellipticity(d)
-        inlet = 0.0141 * (m * kappa) ** 0.44 * l**-0.365  # of 256 cells, as the plan has it
+        inlet = 0.0141 * (m * kappa) ** 0.44 * l**-0.365  # inlet of 256 cells, as in the plan
         steps = ((0.02, 128), (0.035, 192), (0.09, 256), (0.15, 384))
         along = next((cells for limit, cells in steps if inlet < limit), 512)
         across = min(512, along * (1 if kappa > 0.5 else 2))
@@ -119,7 +119,7 @@ class Design:
         return not self.kind.beyond(contact)
 
     def domain(self, contact: Mapping[str, float]) -> dict[str, float]:
-        """Return the keys of a domain that is not the usual one: thick films ask for more room."""
+        """Return the keys of a domain other than the default: thick films need more room."""
         m, l, d = (contact[key] for key in MOES_KEYS)
         if self.kind not in (WIDE, SLIDING_WIDE) or hertz_film(m, l, d) < ROOMY_FILM:
             return {}
@@ -184,7 +184,7 @@ def spread_contacts(
 def uncertain_contacts(
     atlas: Atlas, seed: int, count: int = CONTACTS, of: int = CANDIDATES
 ) -> list[Contact]:
-    """Return contacts where an atlas knows least: of many, drawn by the squares of error bars."""
+    """Return contacts where an atlas is least accurate: drawn by the squares of error bars."""
     candidates = spread_contacts(atlas.kind.ranges, seed, of, kind=atlas.kind)
     waves, angles = np.meshgrid([0.15, 0.4, 1.0, 2.5], [0.0, 40.0, 90.0])
     wanted = [np.mean(atlas.at(one).responses(waves, angles).error ** 2) for one in candidates]
@@ -220,7 +220,7 @@ def random_contacts(
     count: int,
     is_wanted: Callable[[Contact], bool] | None = None,
 ) -> Iterator[Contact]:
-    """Yield contacts anywhere in an atlas, or so many of them as are wanted."""
+    """Yield contacts anywhere in an atlas, or a given number of them."""
     while count:
         contact = contact_at(random.random(len(kind.ranges)).tolist(), kind.ranges)
         if is_wanted(contact) if is_wanted else not kind.beyond(contact):

@@ -164,7 +164,7 @@ def _of_part(task: Task, scales: Floats, recipe: Recipe, seeds: Sequence[int]) -
 def _bars(
     pool: Executor, inputs: Floats, misses: Floats, fold: Rows, recipe: Recipe
 ) -> tuple[Committee, list[float]]:
-    """Return networks of ln of some misses, and what makes bars that hold the wanted share.
+    """Return networks of ln of some misses, and the factor of bars that cover the given share.
 
     The factors are of misses of contacts whose bars are found from others.
     """

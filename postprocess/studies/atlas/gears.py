@@ -79,7 +79,7 @@ class Mesh(NamedTuple):
 
 
 def gear_contacts(eyring: bool = True, count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
-    """Yield contacts of gears, the rough flank that of the pinion and of the wheel in turn."""
+    """Yield contacts of gears, the rough flank on the pinion and on the wheel in turn."""
     random = np.random.default_rng(SEED)
     for number in range(count):
         teeth = int(random.integers(*PINION_TEETH, endpoint=True))

@@ -1,4 +1,4 @@
-"""Where the atlases of line contacts that slide are computed: as that of those that roll."""
+"""Where the atlases of line contacts that slide are computed: as in rolling."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -52,9 +52,9 @@ EXTENDED = ("load_parameter_m", "lubricant_parameter_l")
 def write_batch(
     folder: Path, batch: int, atlas: Atlas | None = None, kind: Kind = LINE_SLIDING
 ) -> Path:
-    """Write the sweep of a batch: where the atlas so far knows least, if there is one.
+    """Write the sweep of a batch: where the present atlas is least accurate, if any.
 
-    Without one it fills the ranges and a little below.
+    Without an atlas it fills the ranges and a little below.
     """
     random = np.random.default_rng([batch, SEED])
     ranges = {
@@ -73,7 +73,7 @@ def write_batch(
 def machine_contacts(
     ranges: Ranges, piece: int, kind: Kind, random: np.random.Generator
 ) -> list[Contact]:
-    """Return contacts of a piece, counted from 0, where those of machines mostly are."""
+    """Return contacts of a piece, counted from 0, where contacts of machines mostly are."""
     if kind is LINE_NEWTONIAN:
         return spread_contacts({**ranges, **LIGHT}, SEED + 1, CONTACTS, piece, kind)
     found = spread_contacts(ranges, SEED + 1, CONTACTS, piece, kind)
@@ -85,7 +85,7 @@ def machine_contacts(
 
 
 def case(contact: Mapping[str, float], wave: float, share: float = 1.0) -> sweeps.Row:
-    """Return a case with a grid that resolves its inlet, with a share of what rolling ones have."""
+    """Return a case with a grid that resolves its inlet, with a share of the cells in rolling."""
     found = line_design.case(contact, wave, share * line_design.INLET_CELLS, SIZES)
     return as_keys(found)
 

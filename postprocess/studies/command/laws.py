@@ -81,8 +81,8 @@ def inlet(options: argparse.Namespace) -> int:
     Computes contacts drawn as in ``scripts/study heat``, rounder and with thicker films too, with
     and without heat. Fits the loss of film over thermal loading, sliding, bodies, film and shape,
     contacts held out. Ten minutes on one core. Writes lines.h5, points.h5, contacts.csv, law.csv
-    and the tables of both languages; copies of the latter replace src/contact/
-    inlet_coefficients.f90 and ehlwave.laws.inlet_coefficients.
+    and the tables of both languages; copies of these replace src/contact/ inlet_coefficients.f90
+    and ehlwave.laws.inlet_coefficients.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
@@ -108,7 +108,7 @@ def judged(options: argparse.Namespace) -> int:
     Draws contacts, computes each by ehlwave-case, and compares the package. Parts: the smallest
     films of heavy and slender contacts, waves under slip in Carreau oils, waves in warm contacts,
     and films, friction and responses of isothermal contacts of all kinds. An hour on one core; an
-    interrupted study goes on. Writes one table a part and coverage.csv. With --write the
+    interrupted study goes on. Writes a table per part and coverage.csv. With --write the
     coefficients of the first three go into the package.
 
     Exit status: 0 all errors hold for 95 % and at most 1 % are beyond 1.5 times; 1 otherwise; 2 bad

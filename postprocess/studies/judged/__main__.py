@@ -35,7 +35,7 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _ours(rows: Sequence[Row]) -> list[Row]:
-    """Return rows of laws as they are; the others show what they replace."""
+    """Return rows of present laws; the others show their predecessors."""
     return [row for row in rows if row["law"] not in ("before", "ridges, rolling", "isothermal")]
 
 
@@ -57,7 +57,7 @@ def _part(part: str, count: int, folder: Path, write: bool) -> list[Row]:
 
 
 def _judged(rows: Sequence[Row], name: str) -> Row:
-    """Return the share of contacts within the error of the package, with the computed one's."""
+    """Return the share of contacts within the errors of the package and of the computation."""
     times = np.array([isothermal.times(row, name) for row in rows])
     times = times[np.isfinite(times)]
     return {

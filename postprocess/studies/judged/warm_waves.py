@@ -125,8 +125,8 @@ WITHIN, FAR, MOST_FAR = 0.96, 1.5, 0.01
 def compared(rows: Sequence[Row]) -> list[Row]:
     """Return the waves that grids resolve, with both isothermal responses of the package.
 
-    The computed response is the extrapolated one with frozen temperatures, and by how much the
-    march, on one grid, differs from the frozen response.
+    The computed response is extrapolated with frozen temperatures, plus the difference of the march
+    from the frozen response on the same grid.
     """
     found = []
     for row in rows:
@@ -206,5 +206,5 @@ def _row(law: str, off: Floats, error: Floats) -> Row:
 
 
 def write(found: dict[str, list[float]], path: Path = PACKAGE) -> None:
-    """Write what the package reads."""
+    """Write the data of the package."""
     Writer(overwrite=True).text(path, json.dumps(found, indent=1) + "\n")

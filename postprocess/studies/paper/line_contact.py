@@ -75,7 +75,7 @@ def limit_table(points: pd.DataFrame) -> Table:
 
 
 def published_table(points: pd.DataFrame) -> Table:
-    """Return this code's line contact beside the published one."""
+    """Return this code's line contact beside the published result."""
     by_wave = points.set_index("wavelength_over_a")
     rows = []
     for wave, ratio in small_line_ratios().items():

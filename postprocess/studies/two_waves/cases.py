@@ -1,8 +1,7 @@
 """The cases of the study of two waves: space-filling over conditions, slip, oil and waves.
 
 Every operating condition (M, L, D, alpha) is computed in pure rolling with a Newtonian oil and
-under slip with an oil of its own, with the same waves: what slip changes can be read off pair by
-pair.
+under slip with an oil of its own, with the same waves: pairs show the effect of slip.
 """
 
 import math
@@ -67,7 +66,7 @@ def cases(seed: int, count: int) -> Iterator[Row]:
 
 
 def _condition(unit: NDArray[np.float64]) -> tuple[Row, Row, Row] | None:
-    """Return M, L, D and alpha; what rolls and what slides; nothing where no bearing is."""
+    """Return M, L, D and alpha; rolling and sliding keys; nothing outside bearings."""
     bounds = (LOADS, LUBRICANTS, RATIOS, ALPHAS_PER_PA, STRESSES_PA)
     m, l, d, alpha, stress = (
         _between(pair, share) for pair, share in zip(bounds, unit, strict=False)

@@ -38,7 +38,7 @@ def predicted_figure(trained: Both, fresh: Both) -> Figure:
 
 
 def amplitude_figure(pairs: Pairs) -> Figure:
-    """Draw |a| and |c| against the wave parameter; colours: S; Newtonian and Ree-Eyring."""
+    """Draw |a| against the parameter of an incompressible oil, and effects of compressibility."""
     t = pairs.table
     power = -(t["along"] / 3)
     x = 0.263 * t["wave_n"] * np.sqrt(t["load"]) * t["l"] ** power
@@ -70,7 +70,7 @@ def amplitude_figure(pairs: Pairs) -> Figure:
 
 
 def eyring_figure(number: Floats, found: Complex, closed: Complex, rigid: Complex) -> Figure:
-    """Draw |a| against the one number of an incompressible oil, and what compressibility adds."""
+    """Draw |a| against the parameter of an incompressible oil, and the effect of compressibility."""
     figure = Figure(figsize=(7.2, 3.0), layout="constrained")
     left, right = figure.subplots(1, 2)
     grid = np.geomspace(1e-2, 1e2, 200)
@@ -98,7 +98,7 @@ def eyring_figure(number: Floats, found: Complex, closed: Complex, rigid: Comple
 
 
 def along_figure(folder: Path) -> Figure:
-    """Draw the film along the contact at one instant with its two waves, for each oil."""
+    """Draw the film along the contact at an instant with its two waves, for each oil."""
     rows = read_sweep(folder, ALONG)
     figure = Figure(figsize=(7.2, 2.9), layout="constrained")
     axes = figure.subplots(1, 2, sharey=True)

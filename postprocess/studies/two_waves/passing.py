@@ -42,7 +42,7 @@ WINDOW = 0.5
 
 @dataclass(frozen=True)
 class Passing:
-    """A shape in the contact at one time: film less the smooth one over its height, against X.
+    """A shape in the contact at a time: film less smooth film, over its height, against X.
 
     All along Y = 0. ``surface`` is the undeformed surface over its height.
     """

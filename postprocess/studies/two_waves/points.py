@@ -37,13 +37,13 @@ LEAST_LOAD = 5.0
 
 @dataclass(frozen=True)
 class Pairs:
-    """Waves under slip with what became of the same waves in pure rolling; arrays over points.
+    """Waves under slip with the results of the same waves in pure rolling; arrays over points.
 
     ``table`` holds M, L, D, gamma, kappa, alphabar, slip and the like, ``film`` and ``rolling`` the
     responses over Ai at the contact centre, amplitudes extrapolated to mesh size 0; ``attenuated``
-    in closed form at the computed contact centre, ``mismatch`` and ``mismatch_rolling`` those of
-    the wave numbers there, see :class:`ehlwave.contact.two_waves.Launch`; ``error`` the error bar
-    of ``film``.
+    in closed form at the computed contact centre, ``mismatch`` and ``mismatch_rolling`` the
+    mismatches of the wave numbers there, see :class:`ehlwave.contact.two_waves.Launch`; ``error``
+    the error bar of ``film``.
     """
 
     table: pd.DataFrame

@@ -148,7 +148,7 @@ def _errors(law: Law, trained: tuple[Pairs, Complex], fresh: Pairs) -> Table:
 
 
 def _half(pairs: Pairs) -> Complex:
-    """Return a + c with half of what is missing launched, and carried with the oil."""
+    """Return a + c with half of the missing part launched, and carried with the oil."""
     return pairs.attenuated + 0.5 * (1 - pairs.attenuated) * np.exp(1j * pairs.mismatch)
 
 

@@ -1,6 +1,6 @@
-"""From what the page asks for to a contact, and to the Python that makes it again.
+"""From the input of the page to a contact, and to the Python code that makes it.
 
-The one place of the page that knows how contacts and oils are made.
+The only module of the page that makes contacts and oils.
 """
 
 from collections.abc import Mapping
@@ -17,7 +17,7 @@ Numbers = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class Given:
-    """What was entered."""
+    """Input of the page."""
 
     keys: Numbers
     """Of :class:`ehlwave.Contact`, or of its ``from_bodies``."""
@@ -57,6 +57,6 @@ def source(given: Given) -> str:
 def call(
     start: str, given: Numbers, first: list[str] | None = None, last: list[str] | None = None
 ) -> str:
-    """Return a call, one argument a line."""
+    """Return a call, an argument per line."""
     words = [*(first or []), *(f"{key}={value!r}" for key, value in given.items()), *(last or [])]
     return f"{start}(\n" + "".join(f"    {word},\n" for word in words) + ")\n"

@@ -1,4 +1,4 @@
-"""One page for one session: state is kept here and nowhere else."""
+"""A page of a session: the only place of its state."""
 
 import asyncio
 import io

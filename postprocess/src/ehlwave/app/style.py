@@ -1,4 +1,4 @@
-"""How the page looks. Everything stands in the page itself: nothing is loaded from elsewhere."""
+"""Style of the page. Everything is part of the page itself: nothing is loaded from elsewhere."""
 
 POLICY = (
     "default-src 'self'; script-src 'self' 'unsafe-inline' blob:; "

@@ -35,7 +35,7 @@ class Upload:
 
 
 def file_name(name: str) -> str:
-    """Return the last part of a name, as one that a file of ours can have."""
+    """Return the last part of a name, as a safe file name."""
     last = PurePosixPath(printable(name).replace("\\", "/")).name
     return last.lstrip(".")[-LONGEST_NAME:].lstrip() or "trace"
 
@@ -54,7 +54,7 @@ def read_upload(upload: Upload, options: ReadOptions) -> Surface:
             _refuse_unpacked(path)
             surface = read_surface(path, options)
         except ResultsError as error:
-            # The command line says the name that it was given, too.
+            # The command line also shows the given name.
             raise SurfaceError(str(error).replace(f"{folder}/", "")) from None
     if surface.height.size > MOST_POINTS:
         raise SurfaceError(

@@ -17,8 +17,7 @@ from ehlwave.cli.command_line import Parser, as_options, with_ratio
 from ehlwave.cli.named_files import inputs
 from ehlwave.cli.terminal import plain_text_only
 from ehlwave.errors import ResultsError, printable
-from ehlwave.extras import advice
-from ehlwave.version import version
+from ehlwave.extras import advice, version
 from ehlwave.writing import Writer
 
 BAD_INPUT = 2
@@ -32,8 +31,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        0, also where the reader of the output has seen enough; with a message on standard error 2
-        for what cannot be used or must not be replaced, 3 for output that cannot be written.
+        0, also when the reader of the output closed it. 2 with a message for unusable input or
+        protected files. 3 with a message for output that cannot be written.
     """
     with plain_text_only():
         options = argparse.Namespace()

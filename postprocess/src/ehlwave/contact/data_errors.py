@@ -1,4 +1,4 @@
-"""What errors of the oil's data make of the film."""
+"""Effect of errors of the oil's data on the film."""
 
 from collections.abc import Mapping
 

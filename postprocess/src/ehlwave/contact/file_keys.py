@@ -1,7 +1,7 @@
-"""Keys of an input file of ``ehlwave-case``, by what predictions do with them.
+"""Keys of an input file of ``ehlwave-case``, by their use in predictions.
 
-They use a key, refuse it, say that it is not used, or leave it out where no answer depends on it.
-Every key of the program stands in `CLASSIFIED`; a test holds it to ``--keys``.
+Predictions use a key, refuse it, report it as unused, or ignore it where no answer depends on it.
+`CLASSIFIED` has every key of the program; a test compares it with ``--keys``.
 """
 
 from collections.abc import Mapping
@@ -11,8 +11,7 @@ from typing import Any
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.contact.heat_data import EMPTY_HEAT
 from ehlwave.contact.starvation import OIL_OVER_FLOODED
-from ehlwave.errors import SurfaceError, printable
-from ehlwave.hints import did_you_mean
+from ehlwave.errors import SurfaceError, did_you_mean, printable
 from ehlwave.inputs.key_classes import HEAT_DATA, OF_THE_SOLUTION, OF_WAVES, WITHOUT_EFFECT
 from ehlwave.inputs.key_values import values_of
 from ehlwave.inputs.namelist import Namelist, read_namelist
@@ -62,7 +61,7 @@ USED = (*KNOWN_KEYS, *HEAT_DATA, *KNOWN_LAWS, FLOW_LAW, TEMPERATURE, LIMIT, LIMI
 
 
 def is_classified(key: str) -> bool:
-    """Return whether a key is one that predictions know what to do with."""
+    """Return whether a key is classified for predictions."""
     named = (*USED, *OTHER_INLET_KEYS, *NOT_USED, *LEFT_OUT)
     return key in named or key.startswith(LAW_PREFIXES)
 
@@ -115,7 +114,7 @@ def _check_groups(groups: Mapping[str, Any], file: Namelist, place: str) -> None
 
 
 def notices(keys: Mapping[str, Any]) -> list[str]:
-    """Return what is to be said of keys that are not used."""
+    """Return the messages about unused keys."""
     return [
         f"{key} = {printable(str(keys[key]))} is not used: {reason}"
         for key, (usual, reason) in NOT_USED.items()
@@ -124,7 +123,7 @@ def notices(keys: Mapping[str, Any]) -> list[str]:
 
 
 def _is_same(value: object, usual: float | str) -> bool:
-    """Return whether a value, typed or of a file, is the usual one."""
+    """Return whether a value, typed or of a file, is the default."""
     text = str(value).lower()
     if isinstance(usual, str):
         return text == usual

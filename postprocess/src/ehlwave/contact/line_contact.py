@@ -1,7 +1,7 @@
 """Scales of a line contact, D = 0: a the half width, c = a^2/(2 Rx), w the load per length.
 
-M = W (2U)^(-1/2) with W = w/(E' Rx); a^2 = 8 w Rx/(pi E'), ph = 2 w/(pi a); K = 1 stands for the
-elliptic integral, gamma = M^(1/2), by which V is that of line contacts (``src/contact/README.md``).
+M = W (2U)^(-1/2) with W = w/(E' Rx); a^2 = 8 w Rx/(pi E'), ph = 2 w/(pi a); K = 1 replaces the
+elliptic integral, gamma = M^(1/2), for which V holds in line contacts (``src/contact/README.md``).
 """
 
 import math

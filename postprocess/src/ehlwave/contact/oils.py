@@ -27,7 +27,7 @@ class Oil:
     carreau_exponent : float or None
         n of a Carreau oil, above 0 and at most 1; None of other oils.
     other_laws : tuple of str
-        What was asked for besides and is not in here, such as another law of viscosity.
+        Requested data that are not included, such as another law of viscosity.
     other_keys : tuple of pairs
         Parameters of these laws by their keys.
     """

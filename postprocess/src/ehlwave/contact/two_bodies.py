@@ -14,8 +14,7 @@ from ehlwave.contact.conditions_from_keys import KNOWN_KEYS, unknown_key
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.contact.line_contact import LOAD_KEY
 from ehlwave.contact.moes_parameters import ROUND_OFF
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import SurfaceError, see
 from ehlwave.inputs.slip import RATIO, SLIP, slip_of
 from ehlwave.quantities import number, plain
 
@@ -31,12 +30,12 @@ Names = list[tuple[str, str, float]]
 def contact_keys(
     body1: Body, body2: Body, oil: Oil | None, given: Mapping[str, Any]
 ) -> tuple[dict[str, Any], Names]:
-    """Return keys of the contact of two bodies, and what users call those that have other names.
+    """Return keys of the contact of two bodies, and the users' names of renamed keys.
 
     Parameters
     ----------
     body1, body2 : Body
-        The rough one first.
+        The rough body first.
     oil : Oil or None
         In place of the keys of an oil.
     given : mapping
@@ -72,7 +71,7 @@ def contact_keys(
 
 
 def _check_names(oil: Oil | None, given: Mapping[str, Any]) -> None:
-    """Refuse names that nothing has, that the bodies say, or that the oil says."""
+    """Refuse unknown names, and names given by the bodies or the oil."""
     others = (*FROM_BODIES, *MOES_KEYS)
     known = [key for key in dict.fromkeys((*BODY_KEYS, *KNOWN_KEYS)) if key not in others]
     if oil is not None and not isinstance(oil, Oil):

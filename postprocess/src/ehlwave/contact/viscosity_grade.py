@@ -1,4 +1,4 @@
-"""Kinematic viscosity over temperature, from what data sheets state.
+"""Kinematic viscosity over temperature, from data sheets.
 
 ASTM D341-09 (Walther's equation with MacCoull's terms), ISO 3448 (grades) and ASTM D2270-10
 (viscosity index; ISO 2909 has the same). Viscosities in mm2/s, temperatures in K.
@@ -9,8 +9,7 @@ from dataclasses import dataclass
 
 from scipy.optimize import brentq
 
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import SurfaceError, see
 
 COLD_K, HOT_K = 313.15, 373.15
 """40 and 100 C, where data sheets state viscosities."""
@@ -127,7 +126,7 @@ def viscosity_index(cold: float, hot: float) -> float:
 
 
 def hot_viscosity(cold: float, index: float) -> float:
-    """Return the viscosity at 100 C of one at 40 C and a viscosity index, mm2/s.
+    """Return the viscosity at 100 C from the viscosity at 40 C and the index, mm2/s.
 
     Raises SurfaceError if no oil has both.
     """

@@ -1,8 +1,8 @@
-"""What the friction of the atlas leaves open: slight slip, and oil outside its domain.
+"""Parts missing in the friction of the atlas: slight slip, and oil outside its domain.
 
 Friction of the atlas is relative to the mean of asinh(B) under the Hertz pressure. Where slip is
-slight, B is about 1: friction goes as the mean of the viscosity, on which the pressure spike and
-the ends of the contact count, and no longer as that of its logarithm.
+slight, B is about 1: friction goes as the mean of the viscosity, to which the pressure spike and
+the ends of the contact contribute, not as the mean of its logarithm.
 """
 
 import math
@@ -95,7 +95,7 @@ def _far_line_film(x: Floats) -> Floats:
 
 
 def _far_film(kappa: float, x: Floats, y: Floats) -> Floats:
-    """Return H far outside a dry elliptical contact: the deflection is that of a point load."""
+    """Return H far outside a dry elliptical contact: the deflection equals a point load's."""
     k = first_integral(kappa)
     k_minus_e, b = integral_combinations(kappa)
     along = b / (b + k_minus_e)

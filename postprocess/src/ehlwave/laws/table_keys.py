@@ -1,6 +1,6 @@
-"""Which keys of a case its response depends on: what harmonic tables carry and are matched by.
+"""Keys that determine the response of a case: harmonic tables contain and match them.
 
-Every key of the programs stands in one of the groups of :mod:`ehlwave.inputs.key_classes`.
+Every key of the programs is in a group of :mod:`ehlwave.inputs.key_classes`.
 """
 
 from collections.abc import Mapping
@@ -37,7 +37,7 @@ STRESSES = ("eyring_stress_pa", "carreau_modulus_pa")
 def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:
     """Return the columns of the keys that a response depends on, of the points of a sweep.
 
-    Raises ResultsError if the points have heat, or differ in a key that this version does not know.
+    Raises ResultsError if the points have heat, or differ in an unknown key.
     """
     inputs = _inputs(points)
     if any(key in OF_THE_HEAT for one in inputs for key in one):

@@ -40,7 +40,7 @@ def thinning(contact: Conditions, slip: float) -> float:
 def line_sliding_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     """Return the coordinates of contacts, shape (c, 7), by columns named as their keys.
 
-    Those of line contacts that roll, with ln H, and the three of slip: ``atlas/sliding.py``.
+    Coordinates as in rolling line contacts, with ln H, and the three of slip: ``atlas/sliding.py``.
     """
     rolling = line_coordinates(keys)
     rolling[:, 0] = np.log(rolling[:, 0])

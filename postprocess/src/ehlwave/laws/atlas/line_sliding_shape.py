@@ -25,7 +25,7 @@ class LineSlidingShape(SlidingShape, LineShape):
 
     @classmethod
     def of_keys(cls, keys: Mapping[str, ArrayLike]) -> "LineSlidingShape":
-        """Return that of contacts: columns as :meth:`SlidingShape.of_keys` takes them."""
+        """Return the shape of contacts: columns as for :meth:`SlidingShape.of_keys`."""
         shape = cls(*map(np.atleast_1d, columns(keys, list(LINE_RANGES)[:2])))
         shape._take(cls.CONDITIONS_OF(keys), keys)
         return shape
