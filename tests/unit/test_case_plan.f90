@@ -145,14 +145,16 @@ contains
       case%effects%starvation%oil_change_length = 0.5_dp
       plan = plan_of(test, case)
       call test%check(plan%rest > 2 + 0.5_dp + 3.5_dp .and. plan%first_sample*plan%dt >= plan%rest + 1, 'a gap')
-      call test%check_close(plan%effects%starvation%resolution, same%effects%starvation%resolution, 'the layer behind it', relative=0.0_dp)
+      call test%check_close(plan%effects%starvation%resolution, &
+                            same%effects%starvation%resolution, 'the layer behind it', relative=0.0_dp)
       case%effects%starvation%oil_change_length = 0
       plan = plan_of(test, case)
       case%effects%starvation%oil_change_factor = 1
       case%effects%starvation%oil_over_flooded = 0.15_dp
       same = plan_of(test, case)
       call test%check(plan%first_sample > same%first_sample .and. .not. plan%resolution%is_resolved, 'a tenth of the layer')
-      call test%check_close(plan%effects%starvation%resolution, same%effects%starvation%resolution, 'its meniscus', relative=1e-12_dp)
+      call test%check_close(plan%effects%starvation%resolution, &
+                            same%effects%starvation%resolution, 'its meniscus', relative=1e-12_dp)
       case%effects%starvation%oil_change_factor = 0.5_dp
       case%end_time = 6
       plan = plan_of(test, case)
