@@ -13,7 +13,7 @@ module ehlwave_case_variables
    use ehlwave_case_roughness, only: complete_roughness
    use ehlwave_contact_variant, only: contact_variable_t, contact_variant_t
    use ehlwave_errors, only: error_t
-   use ehlwave_inlet_plan, only: plan_inlet
+   use ehlwave_oil_offer_plan, only: read_oil
    use ehlwave_key_bounds, only: is_allowed
    use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
@@ -125,7 +125,7 @@ contains
       if (allocated(error)) return
       variant%rheology = case_lubricant(other, variant%conditions)
       files = case_files(other)
-      call plan_inlet(other, variant%conditions, variant%inlet, files, error)
+      call read_oil(other%effects%starvation, variant%conditions, variant%inlet, files, error)
       if (allocated(error) .or. .not. case%responds()) return
       call plan_surfaces(other, variant%conditions, surfaces, files, error)
       if (allocated(error)) return

@@ -79,7 +79,7 @@ contains
             do k = 1, size(oil(x)%variants)
                associate (variant => oil(x)%variants(k), factor => exp(oil(x)%variants(k)%place))
                   variant%conditions = problem%conditions
-                  variant%inlet = plan%inlet
+                  variant%inlet = plan%effects%starvation%oil
                   if (plan%responds) variant%waves = plan%surfaces%list(1)
                   variant%natural_frequency = case%natural_frequency
                   if (x == 1) then
