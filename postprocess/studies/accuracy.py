@@ -17,7 +17,7 @@ ASKED = "asked"
 FINER = "finer"
 ACCURACY = 0.01
 SILENT = 2 * ACCURACY
-"""Errors above it have to be told by a status."""
+"""Errors above it must have a status."""
 
 WAVY_AMPLITUDE = 0.02
 ORIENTATIONS = ("transverse", "isotropic", "longitudinal", "custom")

@@ -51,24 +51,24 @@ EVEN_RANGES = {
 }
 ROLLING_SHARE = 0.3
 UNLIKE_SHARE = 0.3
-"""Of contacts whose second body conducts otherwise."""
+"""Share of contacts with unlike conductivities."""
 WIDE_RADII, WIDE_UNLIKE_SHARE = (4e-3, 1e-1), 0.5
-"""Of the contacts of this study."""
+"""Ranges of the contacts of this study."""
 LINE_CELLS = 12
-"""Cells of a line contact over those of a point contact."""
+"""Cells of a line contact over the cells of a point contact."""
 FITTED_LOADING = 4.0
 """Largest L_t of the contacts that the laws are fitted to."""
 LOADS, OILS = (5.0, 1500.0), (2.0, 20.0)
 """M and L of the contacts that are taken."""
 DENSITY, EXPANSION = 870.0, 7e-4
 FOLDS = 20
-"""Of contacts, each of which is predicted by a fit to the others."""
+"""Parts of the contacts, each predicted by a fit to the others."""
 ROBUST = {"loss": "soft_l1", "f_scale": 0.03}
 """How laws are fitted."""
 LARGEST_ERROR = 0.03
-"""Of films and friction of computed contacts; coarser ones are left out."""
+"""Error of films and friction of computed contacts; coarser contacts are left out."""
 THICKEST = 0.4
-"""Film by the formula over the Hertz approach; thicker ones are rather rigid."""
+"""Film by the formula over the Hertz approach; thicker films are rather rigid."""
 
 
 def contact(rng: np.random.Generator, is_line: bool, is_wide: bool = False) -> Row:

@@ -60,7 +60,7 @@ class Section:
 
 
 Parts = Sequence[tuple[str, Callable[[Path], Section]]]
-"""Names of the parts of a report, and what makes each of the files in a folder."""
+"""Names of the parts of a report, and the function that makes each of the files in a folder."""
 
 
 def make_sections(

@@ -28,7 +28,7 @@ WAVES = (
     *((orientation, wave) for orientation in ("isotropic", "longitudinal") for wave in (0.5, 1.0)),
 )
 SAMPLES = 200
-"""Of contacts, drawn again, for the intervals."""
+"""Resamples of contacts for the intervals."""
 
 
 def contacts(count: int, low: Sequence[float], high: Sequence[float]) -> list[Row]:

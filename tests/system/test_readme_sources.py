@@ -23,11 +23,11 @@ PAGES = [page for page in READMES if not any(part.startswith(".") for part in Pa
 LEDGER = ROOT/"postprocess/record/by_hand.csv"
 RESULTS = ROOT/"scripts/accept.csv"
 BY_PROGRAMS = ("README.md", "postprocess/manual/case.md")
-"""Pages with sentences that are compared with what the programs give."""
+"""Pages with sentences that are compared with the programs."""
 DIGITS = 4
-"""Of results that hold, whatever the compiler."""
+"""Digits of results that hold for any compiler."""
 GENERATED = {"inputs/README.md": "## `&conditions`"}
-"""Where a reference begins that system/test_sweep_keys compares with what the program prints."""
+"""Where a reference begins that system/test_sweep_keys compares with the output of the program."""
 
 UNIT = r"(?: ?(?:a|b|um|nm|mm|m/s|MPa|GPa|Pa|K|N/m|1/Pa|hX|Hc|%|of the film))?"
 SYMBOL = (r"(?:(?:gamma )?M|L|D|S|E'|alpha E'|alpha|alphabar|z|n|G|K0'?|f\(r\)|f V|tau0|tau0/E'|X|Y|Z|T|U|dT|hX|hY|B|N|p|P|y|kappa|Omega|"

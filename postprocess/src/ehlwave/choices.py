@@ -41,7 +41,7 @@ RATIO_COLUMNS: dict[Ratio, str] = {
 """Columns of results that Ad/Ai is taken from."""
 
 POISSON_RATIO = 0.3
-"""Of steel: that of bodies of which nothing is said."""
+"""Steel: the default of bodies."""
 
 REPLICATES, SEED = 1000, 20000
 """Samples of the bootstrap, and the seed of its random numbers."""

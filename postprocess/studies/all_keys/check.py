@@ -13,10 +13,10 @@ from studies.all_keys import compare
 from studies.all_keys.draw import Row, draw
 
 LARGEST_COST = 1.5e8
-"""Of the finer run: planned work times cells. About ten seconds."""
+"""Cost of the finer run: planned work times cells. About ten seconds."""
 LONGEST_S = 1800
 UNRESOLVED = 0.3
-"""Share that is kept of the inputs that their grid does not resolve, as the plan says."""
+"""Share of kept inputs among those that, by the plan, their grid does not resolve."""
 USUAL_DOMAIN = {"x_min": -2.5, "x_max": 1.5, "y_max": 2.0}
 USUAL_TOLERANCES = {"tolerance": 1e-6, "step_tolerance": 1e-4, "response_tolerance": 1e-5}
 TOLD = ("status", "rung", "cells_x", "cells_y", "load_parameter_m", "lubricant_parameter_l")

@@ -10,7 +10,7 @@ from studies.all_keys.random_contact import MODULUS_PA, Contact
 
 CELLS = (24, 32, 48, 50, 64, 64, 72, 80, 96, 96, 96, 112)
 ONE_LENGTH = ("transverse", "isotropic", "longitudinal")
-"""Patterns that one wavelength tells."""
+"""Patterns given by a single wavelength."""
 SPECIAL_LAWS = ("mcewen", "yasutomi", "doolittle", "table")
 
 Value = float | int | bool | str | None

@@ -35,12 +35,12 @@ FILLING = {
     "line_sliding": 36,
     "line_newtonian": 32,
 }
-"""Batches that fill the ranges; later ones go where the errors of those before are largest."""
+"""Batches that fill the ranges; later batches go where the earlier errors are largest."""
 
 STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
 
 BLOCK = 16
-"""Of the later batches, those that follow from one fit, which takes as long as ten of them."""
+"""Later batches that follow from the same fit, which takes as long as ten of them."""
 
 RISE_BATCHES = {
     "rolling": range(24),

@@ -15,7 +15,7 @@ COUNT, WAVES = 1024, 4
 SEED = 2210
 
 NAMES = ("film", "pressure", "mean_rise", "discretisation", "wavelength_over_a", "angle_deg")
-"""Of responses, as :func:`studies.atlas.points.read_points` has them."""
+"""Variables of responses, as in :func:`studies.atlas.points.read_points`."""
 
 
 def with_anchors(data: xr.Dataset, kind: Kind, count: int = COUNT) -> xr.Dataset:

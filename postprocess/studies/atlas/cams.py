@@ -29,11 +29,12 @@ OBLIQUITY = (0.87, 1.0)
 """Cosine of the angle between normal and lift of roller followers: at most 30 degrees."""
 
 ROLLER_SLIP = (0.001, 0.1)
-"""Slide-to-roll ratio of rollers, that of a cam over its follower's being either sign (Lee and
-Patterson 1995; Khurram, Mufti, Zahid, Afzal and Bhutta 2015)."""
+"""Slide-to-roll ratio of rollers, of either sign for a cam over its follower (Lee and Patterson
+1995; Khurram, Mufti, Zahid, Afzal and Bhutta 2015).
+"""
 
 SPEED_PER_MIN = (300.0, 3500.0)
-"""Of the camshaft: engines at 600 to 7000 a minute."""
+"""Speed of the camshaft: engines at 600 to 7000 a minute."""
 
 FLAT_PA, ROLLER_PA = (1.5e8, 7e8), (3e8, 1.3e9)
 """Hertz pressures from springs and inertia (Taylor 1994; Dowson, Taylor and Zhu 1992)."""
@@ -65,7 +66,7 @@ def cam_contacts(eyring: bool = True, count: int = CONTACTS) -> Iterator[ehlwave
 
 
 Place = tuple[tuple[float, float], tuple[float, float], tuple[float, float]]
-"""Radii of cam and follower, mm, their speeds over that of the shaft, mm, and pressures."""
+"""Radii of cam and follower, mm, their speeds over the shaft's, mm, and pressures."""
 
 
 def _flat(random: np.random.Generator, base: float, lift: float) -> Place:

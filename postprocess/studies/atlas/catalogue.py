@@ -23,7 +23,7 @@ from studies.atlas.waves import random_wave, random_wavelength
 from studies.programs import Groups
 
 COMPUTED = 30
-"""Of those that are answered."""
+"""Number of answered contacts."""
 
 
 def _wave_of_ball(keys: dict[str, float], random: np.random.Generator) -> sweeps.Row:

@@ -22,10 +22,10 @@ Ranges = Mapping[str, tuple[float, float]]
 Contact = dict[str, float]
 
 CONTACTS = 32
-"""Of one batch."""
+"""Contacts of a batch."""
 
 CANDIDATES = 512
-"""Contacts of which those of a batch are drawn by the errors of the atlas so far."""
+"""Contacts from which a batch is drawn by the present errors of the atlas."""
 
 SLENDER = {"load_parameter_m": (20.0, 70.0), "radius_ratio_d": (0.04, 0.2)}
 """Where bodies are nearly rigid along rolling and not across it."""
@@ -35,11 +35,11 @@ SLENDER_BATCHES = (8, 10, 12, 14)
 
 FIRST_RANGES = {"load_parameter_m": (5.0, 10000.0), "lubricant_parameter_l": (2.0, 20.0)}
 FIRST_BATCHES = 10
-"""Of the wide atlas: those within these ranges. Later ones are of contacts beyond them."""
+"""Batches of the wide atlas within these ranges; later batches go beyond them."""
 
 BALLS = {"radius_ratio_d": (0.018, 0.08)}
 BALL_BATCHES = range(14, 17)
-"""Of those beyond, the ones of balls in grooves."""
+"""Later batches of balls in grooves."""
 
 INLET_MESHES = 5, 3
 """Mesh sizes in the length of the inlet wanted along X and Y, of the fitted scheme."""
@@ -48,7 +48,7 @@ FEWEST_CELLS, MOST_FITTED_CELLS = 192, 512
 """Along X, of the same: the former for short waves."""
 
 CELLS_ACROSS = 36
-"""Over kappa, along Y: what longitudinal waves of 0.9 a ask for."""
+"""Over kappa, along Y: as needed by longitudinal waves of 0.9 a."""
 
 ROOMY_FILM, ROOM = 0.4, 2
 """Film over the Hertz approach from which on a domain is so many times as large as usual."""

@@ -16,10 +16,10 @@ from studies.atlas.design import GROUPS, random_contacts, spread_contacts, uncer
 from studies.atlas.waves import MARGIN, random_wavelength
 
 CONTACTS = 32
-"""Of one batch."""
+"""Contacts of a batch."""
 
 WAVES = 5
-"""Of one contact."""
+"""Waves of a contact."""
 
 SEED = 2200
 

@@ -25,25 +25,25 @@ from studies.atlas.line_design import waves
 from studies.atlas.waves import random_wavelength
 
 CONTACTS = 32
-"""Of one batch."""
+"""Contacts of a batch."""
 
 SEED, VALIDATION_SEED = 2300, 2031
 
 GROUPS_OF = {LINE_SLIDING.name: SLIDING_DESIGN.groups, LINE_NEWTONIAN.name: GROUPS}
-"""What all cases share."""
+"""Shared keys of all cases."""
 
 SIZES = (1024, 1536, 2048, 3072, 4096, 6144, 8192)
 COARSER = 0.625
-"""Of the mesh sizes in the length of the inlet of contacts that roll: there are many contacts."""
+"""Mesh sizes in the length of the inlet, over rolling contacts: there are many contacts."""
 
 EVENLY_SPREAD = {LINE_SLIDING.name: 32, LINE_NEWTONIAN.name: 20}
 """Batches over all of the ranges; those that follow are where machines are."""
 
 SLIGHT_SLIP = (5e-4, 0.05)
-"""Of Ree-Eyring oils: deviation of S from 1, as of rollers. Friction is still linear there."""
+"""Ree-Eyring oils: deviation of S from 1, as in rollers. Friction is still linear there."""
 
 LIGHT = {"load_parameter_m": (COMPUTED.ranges["load_parameter_m"][0], 100.0)}
-"""Of Newtonian oils, as of gears and cams: responses change most from one contact to the next."""
+"""Newtonian oils, as in gears and cams: responses change most between contacts."""
 
 EXTENDED = ("load_parameter_m", "lubricant_parameter_l")
 """Keys of which contacts lie a little below the range, too."""

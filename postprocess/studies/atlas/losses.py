@@ -17,13 +17,13 @@ CLOSE = 0.003
 """Misses of responses, units of Ai, below which they count by their square, above by their size."""
 
 CLOSE_FILM = 0.002
-"""The same of logarithms of films."""
+"""Close distance of logarithms of films."""
 
 CLOSE_RISE = 0.05
-"""The same of rises of the mean film."""
+"""Close distance of rises of the mean film."""
 
 PRESSURE_SHARE, RISE_SHARE = 0.3, 0.02
-"""Of deflections and rises, beside those of film responses."""
+"""Shares of deflections and rises, beside film responses."""
 
 FREEDOM = 4.0
 """Degrees of freedom of Student's distribution of errors over their bars."""

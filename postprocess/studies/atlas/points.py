@@ -18,19 +18,19 @@ from studies.atlas.centre import centre_pressures
 Floats = NDArray[np.float64]
 
 LARGEST_CORRECTION = 0.03
-"""Of a response by extrapolation, in units of Ai: beyond it the grid was too coarse."""
+"""Change of a response by extrapolation, in units of Ai: beyond it the grid was too coarse."""
 
 SAME_CASE = 1e-3
 """Distance, in logarithms of the keys, of cases that differ by rounding alone."""
 
 LARGEST_RISE = 3.0
-"""Of the mean film: what is far above is of long waves that the load, not the oil, balances."""
+"""Rise of the mean film: larger rises come from long waves that the load, not the oil, balances."""
 
 LARGEST_PRESSURE = 1.02
 """P at the centre; more than that is of a spike elsewhere."""
 
 LEFT_BY_EXTRAPOLATION = 0.25
-"""Of the correction, as the next grid finds it."""
+"""Share of the correction, as the next grid finds it."""
 
 
 def read_points(

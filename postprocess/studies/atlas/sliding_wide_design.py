@@ -40,7 +40,7 @@ THINNED, THINNED_BATCHES = 10.0, range(24, 28)
 """Least thinning of more of them, where films change most."""
 
 MOST_STEPS = {"largest_total_steps": 100}
-"""Of a case of them: what has not converged then seldom does, and only after many more."""
+"""Steps of a case: later convergence is rare and needs many more."""
 
 AT_REST = {0: 0.0, 16: 2.0}
 """S of contacts of a batch of which one surface rests, the rough one or the other, by number."""

@@ -23,7 +23,7 @@ PARTS = {
 """Content of the file for each committee of networks: dimensions and description."""
 
 MOST_STEPS = 32767
-"""Of weights, which are kept in two bytes each."""
+"""Steps of weights, which are kept in two bytes each."""
 
 
 def variables_of(name: str, committee: Committee) -> dict[str, xr.Variable]:

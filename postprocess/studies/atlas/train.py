@@ -13,10 +13,10 @@ from ehlwave.laws.atlas.committee import Committee, Layers, outputs_of
 Floats = NDArray[np.float64]
 
 Loss = Callable[[Floats], tuple[float, Floats]]
-"""Of outputs, shape (n, outputs): what is made small, and its derivatives by them."""
+"""Function of outputs, shape (n, outputs): the loss, and its derivatives by them."""
 
 REMEMBERED = 20
-"""Steps of which the quasi-Newton method knows the curvature."""
+"""Steps whose curvature the quasi-Newton method keeps."""
 
 
 @dataclass(frozen=True)

@@ -90,7 +90,7 @@ NAMES = tuple(dict.fromkeys(name.split("-")[0] for name in STAGES))
 
 @study("full", output("full"), at_once(), choices("--stage", NAMES, "this stage only"))
 def run(options: argparse.Namespace) -> int:
-    """Compute and report the results of the paper: the stages of scripts/reproduce --full.
+    """Compute and report the results of the paper: scripts/reproduce --full.
 
     Runs every stage that is not finished, then writes DIR/report. Needs a build, which
     scripts/reproduce makes. Finished cases are kept, and long transients go on from their

@@ -20,14 +20,14 @@ from studies.error_time.errors import (
 )
 
 LENGTH_X = 4.0
-"""Of the domain of every run, in units of a."""
+"""Length of the domain of every run, in units of a."""
 
 SMALLEST_ERROR = 1e-3
-"""Smaller errors are near those of the reference and of the iteration: not fitted to."""
+"""Smaller errors are close to the errors of the reference and of the iteration: not fitted."""
 
 
 VALUE = "value"
-"""Column of what a model is fitted to."""
+"""Column of the fitted quantity of a model."""
 
 
 def fit_models(table: pd.DataFrame) -> pd.DataFrame:

@@ -10,7 +10,7 @@ from studies import programs, sweeps
 from studies.error_time.runs import METHODS, WAVY, Extent, Run, all_runs
 
 NAME = "cases"
-"""Of the sweep's files."""
+"""Name of the sweep's files."""
 
 KEYS = {
     "m": "load_parameter_m",

@@ -68,7 +68,7 @@ def read_input(path: Path) -> Groups:
     """
     if not path.is_file():
         raise ResultsError(f"{path}: no such file; --inputs names the folder of experiment.nml")
-    return values_of(read_namelist(path))
+    return values_of(read_namelist(path), other_groups=("sweep",))
 
 
 def keys_of(run: Run, base: Groups, smooth_film_m: float | None = None) -> dict[str, Any]:

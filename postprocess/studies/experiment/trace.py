@@ -32,7 +32,7 @@ class Sinusoid:
     phase: float
     level: float
     rms_left: float
-    """Root mean square of what it leaves, in the unit of the heights."""
+    """Root mean square of the residual, in the unit of the heights."""
 
 
 def synthetic_trace() -> tuple[Floats, Floats]:

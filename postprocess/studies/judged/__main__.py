@@ -15,7 +15,7 @@ from studies.sweeps import Row, run_command, write_rows
 
 FITTED = {"heavy-films": heavy_films, "sheared-waves": sheared_waves, "warm-waves": warm_waves}
 COUNTS = {"heavy-films": 490, "sheared-waves": 400, "warm-waves": 220, "isothermal": 240}
-"""Of contacts, by the parts of the study."""
+"""Numbers of contacts, by the parts of the study."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -31,7 +31,7 @@ HEAVY_RANGE, ALL = (300.0, 20000.0), 300
 HEAVY, CELLS, MORE_CELLS = 12000.0, (512, 256), (1024, 384)
 """M from which on a grid has more cells along X and Y."""
 LARGEST_ERROR = 0.04
-"""Of a computed smallest film; others are left out."""
+"""Error of a computed smallest film; others are left out."""
 
 
 def drawn(number: int) -> dict[str, float]:

@@ -13,7 +13,7 @@ from studies.programs import Groups, namelist, run
 from studies.sweeps import Row
 
 SECONDS = 120.0
-"""Of one case, at most."""
+"""Time of a case, at most."""
 
 
 def solved(groups: Groups, folder: Path) -> Row | None:

@@ -28,7 +28,7 @@ from studies.paper.fit_points import Floats, Points, points_of
 from studies.section import Picture, Section, Table
 
 LARGEST_SHARE = 0.5
-"""Of the rms of (18): what a better formula may have at conditions it was not fitted to."""
+"""Share of the rms of (18): limit of a better formula at conditions outside its fit."""
 
 
 def section(folder: Path) -> Section:

@@ -40,7 +40,7 @@ HEADINGS = {
     "rms_paper": "rms of (18)",
     "rms_refit": "rms refitted",
 }
-"""Of the table of all refits, by what they are called in :func:`study_refits`."""
+"""Columns of the table of all refits, by their names in :func:`study_refits`."""
 
 
 def section(folder: Path, settings: RefitSettings | None = None) -> Section:

@@ -16,7 +16,9 @@ UNSOLVED = "unresolved, not converged"
 REFUSED = "refused"
 FAILED = "failed"
 OUTCOMES = (CONVERGED, UNRESOLVED, UNSOLVED, REFUSED, FAILED)
-"""Of a case. Only the last is a fault; an unresolved case that does not converge says so."""
+"""Outcomes of a case. Only the last is a fault; an unresolved case that does not converge reports
+it.
+"""
 
 _FILMS = ("central_film", "minimum_film", "central_film_moes", "max_pressure")
 _RATIOS = ("amplitude_ratio", "amplitude_ratio_fit", "mean_film", "harmonic_ratio")

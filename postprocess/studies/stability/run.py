@@ -8,7 +8,7 @@ from studies.stability.cases import OUTSIDE, Case
 from studies.stability.outcome import Row, compare, judge, judge_refusal
 
 NAME = "cases"
-"""Of the sweep's files."""
+"""Name of the sweep's files."""
 
 
 def write_cases(folder: Path, cases: Sequence[Case], limit_seconds: float) -> Path:

@@ -45,7 +45,7 @@ _RESULTS = (
     "harmonic_ratio",
 )
 _STARVED = ("film_over_flooded", "meniscus_x", "starved_over_flooded_work")
-"""Of contacts with too little oil besides."""
+"""Columns of starved contacts."""
 
 
 def write_table(path: Path, rows: Sequence[Row]) -> None:

@@ -25,7 +25,7 @@ class ComputedWaves:
     """
 
     conditions: Conditions
-    """Of the contact, with its computed film."""
+    """Conditions of the contact, with its computed film."""
     table: pd.DataFrame
     """Linear responses at all combinations of wavelengths along X and Y; 0 is infinite."""
     name: str = "computed waves"

@@ -38,7 +38,7 @@ def predicted_figure(trained: Both, fresh: Both) -> Figure:
 
 
 def amplitude_figure(pairs: Pairs) -> Figure:
-    """Draw |a| against the parameter of an incompressible oil, and effects of compressibility."""
+    """Draw |a| and |c| against the wave parameter; colours: S; Newtonian and Ree-Eyring."""
     t = pairs.table
     power = -(t["along"] / 3)
     x = 0.263 * t["wave_n"] * np.sqrt(t["load"]) * t["l"] ** power
@@ -70,7 +70,7 @@ def amplitude_figure(pairs: Pairs) -> Figure:
 
 
 def eyring_figure(number: Floats, found: Complex, closed: Complex, rigid: Complex) -> Figure:
-    """Draw |a| against the parameter of an incompressible oil, and the effect of compressibility."""
+    """Draw |a| against the number of an incompressible oil, and for compressible oils."""
     figure = Figure(figsize=(7.2, 3.0), layout="constrained")
     left, right = figure.subplots(1, 2)
     grid = np.geomspace(1e-2, 1e2, 200)

@@ -16,7 +16,7 @@ Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
 SCATTER = 0.02
-"""Of the formulas, about: a point weighs s/sqrt(s^2 + e^2), e its error bar."""
+"""Scatter of the formulas, about: a point weighs s/sqrt(s^2 + e^2), e its error bar."""
 
 
 @dataclass(frozen=True)

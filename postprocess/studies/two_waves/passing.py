@@ -37,7 +37,7 @@ from studies.two_waves.shapes import (
 Floats = NDArray[np.float64]
 
 WINDOW = 0.5
-"""Of |X|, within which profiles are compared."""
+"""Range of |X| in which profiles are compared."""
 
 
 @dataclass(frozen=True)

@@ -26,11 +26,12 @@ WAVE = ("wavelength_x_over_a", "wavelength_y_over_a")
 DEFAULTS = {"pressure_viscosity_per_pa": Oil().pressure_viscosity_per_pa, "flow_law": "newtonian"}
 
 LARGEST_ERROR = 0.03
-"""Of Ad/Ai from two grids, absolute: points beyond it say more about the grid than about waves."""
+"""Error of Ad/Ai from two grids, absolute: points beyond it measure the grid rather than waves."""
 
 SOLVED = ("converged", "inaccurate")
-"""Of the status. The accuracy of a sweep is relative to Ad/Ai, which counts small responses out
-that are known well enough in units of Ai."""
+"""Statuses of solved cases. The accuracy of a sweep is relative to Ad/Ai, which excludes small
+responses that are accurate in units of Ai.
+"""
 
 LEAST_LOAD = 5.0
 

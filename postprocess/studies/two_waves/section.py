@@ -29,7 +29,7 @@ SMALL = 0.1
 """Responses below it count as small."""
 
 BANDS = (0.0, 0.5, 0.75, 0.9, 0.97, 1.03, 1.1, 1.25, 1.5, 2.0)
-"""Of S."""
+"""Bands of S."""
 
 
 def section(folder: Path) -> Section:

@@ -20,7 +20,7 @@ from ehlwave.laws.transfer import Waves
 Complex = NDArray[np.complex128]
 
 WAVES, ANGLES = 72, 31
-"""Of the chart that is interpolated for maps, over ln wavelength and angle."""
+"""Nodes of the chart that is interpolated for maps, over ln wavelength and angle."""
 
 REFINED = 4
 """Times as fine is the chart made by splines, so that lines between its points do for millions of

@@ -122,7 +122,7 @@ def transfer_for(asked: Asked, by: str | None = None) -> Transfer:
     if not math.isfinite(asked.conditions.semi_axis_a_m):
         asked = asked.of(replace(asked.conditions, semi_axis_a_m=1.0))
     if by in (None, "laws") and asked.table is not None:
-        by = "table"  # a given table stands before all other laws
+        by = "table"  # a given table precedes all other laws
     if by not in (None, "laws"):
         return _named(asked, chosen(by, "by", LAWS))
     reasons: list[str] = []

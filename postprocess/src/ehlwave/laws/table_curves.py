@@ -17,7 +17,7 @@ from ehlwave.laws.transfer import Waves
 Complex = NDArray[np.complex128]
 
 FINE_POINTS = 2000
-"""Of each curve, between which it is interpolated linearly: millions of components want it fast."""
+"""Points of each curve, between which it is interpolated linearly, for millions of components."""
 HALVED = 4.0
 """Divisor of the error of an interpolation when its intervals are halved."""
 
@@ -58,7 +58,7 @@ class Curve:
         return value
 
     def error(self, log_v: Waves) -> Complex:
-        """Return the absolute error: of the waves, of the interpolation, of what is continued."""
+        """Return the absolute error: of the waves, of the interpolation, of the continuation."""
         inside = np.clip(log_v, self.log_v[0], self.log_v[-1])
         interval = np.clip(np.searchsorted(self.log_v, inside) - 1, 0, self._between.size - 1)
         assert self._node_errors is not None, "asked where has_error is"

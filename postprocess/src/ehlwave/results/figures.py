@@ -23,7 +23,7 @@ from ehlwave.writing import Writer
 X_LIMITS = (0.1, 100.0)
 Y_LIMITS = (0.0, 1.08)
 HIGHEST = 1.5
-"""To which the axis grows at most where error bars are long."""
+"""Largest extent of the axis where error bars are long."""
 X_LABELS: dict[Variable, str] = {"f_v": r"$f(r)\,V$", "f_v2": r"$f(r)\,V_2$"}
 FIGURE_NUMBERS: dict[Variable, int] = {"f_v2": 1, "f_v": 2}
 

@@ -26,9 +26,9 @@ def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        Columns as :func:`ehlwave.laws.table_read.read_table` takes them, sorted; a
-        wavelength of 0 stands for no variation. ``mean_rise`` where linear responses have it,
-        ``transfer_error`` where the results have error estimates.
+        Columns as for :func:`ehlwave.laws.table_read.read_table`, sorted; a wavelength of 0 means
+        no variation. ``mean_rise`` where linear responses have it, ``transfer_error`` where the
+        results have error estimates.
     """
     d = points["radius_ratio_d"].values
     kappa = np.array([ellipticity(float(value)) for value in d])

@@ -9,7 +9,7 @@ from ehlwave.choices import FILM_BY, TRACTION_RATIOS, chosen_or_none
 from ehlwave.contact.file_keys import LIMIT
 from ehlwave.errors import ArgumentError, RangeError, SurfaceError
 from ehlwave.inputs.key_classes import HEAT_DATA, OF_THE_SOLUTION
-from ehlwave.inputs.keys import GROUP_OF
+from ehlwave.inputs.key_table import GROUP_OF
 from ehlwave.inputs.slip import RATIO, SLIP
 from ehlwave.programs.programs import has_programs
 from ehlwave.traction.by_laws import film_at, table_by_laws

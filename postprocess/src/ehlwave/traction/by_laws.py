@@ -39,7 +39,7 @@ def film_at(given: Mapping[str, Any], ratio: float) -> Film:
     """Return the film of a contact at a slide-to-roll ratio by the list of laws."""
     keys = {key: value for key, value in given.items() if key not in LEFT_OUT}
     contact = contact_of(given_of(keys | {RATIO: ratio}, "traction"))
-    with warnings.catch_warnings():  # they stand in the table
+    with warnings.catch_warnings():  # they are in the table
         warnings.simplefilter("ignore", ExtrapolationWarning)
         film = contact.film("laws")
     if film.friction is None:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ehlwave.cases.study import Study
 from ehlwave.contact.file_keys import LIMIT, LIMIT_WIDTH
 from ehlwave.errors import ProgramError
-from ehlwave.inputs.keys import GROUP_OF
+from ehlwave.inputs.key_table import GROUP_OF
 from ehlwave.inputs.slip import RATIO
 from ehlwave.results.schema import SETTLED
 

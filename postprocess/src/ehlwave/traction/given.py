@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from ehlwave.contact.heat_data import EMPTY_HEAT
 from ehlwave.errors import ArgumentError, SurfaceError
 from ehlwave.inputs.key_values import values_of
 from ehlwave.inputs.namelist import read_namelist
@@ -34,8 +33,6 @@ def read_keys(path: str | Path) -> dict[str, Any]:
         groups = values_of(file)
     except SurfaceError as error:
         raise ArgumentError(str(error)) from error
-    if "heat" in groups and not groups["heat"]:
-        raise ArgumentError(f"{path}: {EMPTY_HEAT}")
     return {key: value for group in groups.values() for key, value in group.items()}
 
 

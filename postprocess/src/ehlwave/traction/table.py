@@ -9,7 +9,7 @@ import pandas as pd
 from ehlwave.inputs.slip import RATIO
 
 FAR = 0.1
-"""By so much, relative, friction lies below that without what a regime is named after."""
+"""Relative reduction of friction by the effect that names a regime."""
 CURVES = {
     "isothermal": "isothermal",
     "thermal": "with heat",
