@@ -126,7 +126,7 @@ contains
          call raise(error, '&waviness'//number//' wavelength_y_over_a = '//to_text(roughness%wavelength_y_over_a, 6)// &
                     line//way//'wavelength_y_over_a to 0')
       else if (case%sensitivities) then
-         call raise(error, '&output sensitivities'//line//'has those of transverse waves only: remove it')
+         call raise(error, '&output sensitivities'//line//'has sensitivities of transverse waves only: remove it')
       end if
    end subroutine check_line_roughness
 
@@ -158,7 +158,7 @@ contains
       subroutine refuse_heights(heights, number)
          type(roughness_t), intent(in) :: heights
          character(len=*), intent(in) :: number
-         call raise(error, given//"' is that of one harmonic wave, "//given_as(heights, number)//' is none: remove '// &
+         call raise(error, given//"' needs a single harmonic wave, "//given_as(heights, number)//' is none: remove '// &
             '&surface'//number//" or set response to 'transient'")
       end subroutine refuse_heights
 
