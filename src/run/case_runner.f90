@@ -21,7 +21,7 @@ module ehlwave_case_runner
    use ehlwave_resolution, only: add_reason, closing_reason, touching_reason
    use ehlwave_periodic_case, only: find_periodic_state
    use ehlwave_rescue, only: rescue_t, rung_name
-   use ehlwave_sensitivity_case, only: find_film_sensitivities
+   use ehlwave_sensitivity_case, only: find_smooth_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
    use ehlwave_shear_stress, only: mean_shear_stress
    use ehlwave_state, only: state_t
@@ -86,7 +86,7 @@ contains
             call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, case%tolerance, result)
             call result%effects%add_own_errors(level%problem%grid, result%bare_result_t)
             call add_warning(result, result%effects%warning(case, plan, level%problem%grid))
-            if (case%sensitivities) call find_film_sensitivities(case, steady, result)
+            if (case%sensitivities) call find_smooth_sensitivities(case, plan, steady, result)
             if (plan%responds) call run_responses(case, plan, steady, result)
          end if
          besides = steady%work_so_far() - result%work
