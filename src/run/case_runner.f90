@@ -170,7 +170,7 @@ contains
          real(dp), parameter :: largest_difference = 0.05_dp
          if (.not. (ieee_is_finite(ratio) .and. ieee_is_finite(small))) return
          if (abs(ratio/small - 1) <= largest_difference) return
-         call add_warning(result, waves//to_text(100*amplitude, 3)//' % of the film do not respond as small ones: '// &
+         call add_warning(result, waves//to_text(100*amplitude, 3)//' % of the film respond unlike small waves: '// &
             'Ad/Ai = '//to_text(ratio, 3)//' against '//to_text(small, 3)//' of the linear response'// &
             trim(merge(', whose temperatures stay', repeat(' ', 25), case%effects%heat%data%follows_waves())))
       end subroutine compare

@@ -104,7 +104,7 @@ contains
       character(len=:), allocatable :: text
       associate (frozen_error => self%account%frozen_error)
          if (case%effects%heat%data%follows_waves()) then
-            text = 'in the march the oil takes its own temperatures, both surfaces keep those of the smooth contact'
+            text = 'in the march the oil has its own temperatures, both surfaces keep the smooth contact''s'
             if (case%response == 'both') text = text//'; the linear response has all of them from there'// &
                ', which leaves about '//to_text(frozen_error, 1)//' of Ai in its Ad/Ai'
          else
@@ -191,7 +191,7 @@ contains
                heat%into_body_w(i), unit=trim(watt), exists=is_warm)
          end do
          call list%add('heat_of_shear', 'power dissipated by shear', heat%sheared_w, unit=trim(watt), exists=is_warm)
-         call list%add('heat_of_compression', 'heat of compression less that of expansion', heat%compressed_w, &
+         call list%add('heat_of_compression', 'heat of compression less heat of expansion', heat%compressed_w, &
             unit=trim(watt), exists=is_warm)
          call list%add('heat_carried_by_oil', 'heat that the oil carries out of the film under pressure', &
             heat%carried_w, unit=trim(watt), exists=is_warm)
@@ -201,8 +201,8 @@ contains
             exists=is_warm)
          call list%add('frozen_heat_error', 'estimated error of Ad/Ai over Ai by temperatures that stay as waves '// &
             'pass; part of no other error', heat%frozen_error, exists=is_warm .and. case%is_wavy())
-         call list%add('wave_temperatures', "temperatures as waves pass: 'frozen', those of the smooth contact; "// &
-            "'carried', in marches those of the oil in time", trim(merge(data%wave_temperatures, &
+         call list%add('wave_temperatures', "temperatures as waves pass: 'frozen' at the smooth contact, or "// &
+            "'carried', computed for the oil in time in marches", trim(merge(data%wave_temperatures, &
             repeat(' ', len(data%wave_temperatures)), is_warm .and. case%is_wavy())), &
             exists=is_warm .and. case%is_wavy())
       end associate
