@@ -1,4 +1,4 @@
-!> Results of two rough surfaces besides those of the first.
+!> Results of two rough surfaces besides the results of the first.
 module ehlwave_pair_result
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_harmonic_result, only: harmonic_result_t
@@ -12,9 +12,9 @@ module ehlwave_pair_result
 
    !> Numbers are NaN where they are not computed.
    type, public :: pair_result_t
-      real(dp) :: ratio_fit = no_value       !! Ad/Ai of the waves of surface 2 in time, and their phase, as those of
+      real(dp) :: ratio_fit = no_value  !! Ad/Ai of the waves of surface 2 in time, and their phase, like the values of
       real(dp) :: phase_fit = no_value       !! the first
-      real(dp), allocatable :: surface_position(:)   !! of a measured surface 2, at the contact centre, m
+      real(dp), allocatable :: surface_position(:)   !! position on a measured surface 2, at the contact centre, m
       type(harmonic_result_t) :: harmonic    !! linear response to the waves of surface 2
       real(dp) :: film_rms = no_value        !! rms of H(0,0) by both waves over its mean, phases free, linear
       real(dp) :: mean_rise = no_value       !! change of the mean of H(0,0) by both over the Ai of the first, second
@@ -28,15 +28,15 @@ module ehlwave_pair_result
 
 contains
 
-   !> Take what both waves do together, after the response to each. Waves of different frequencies change the mean as if
-   !> each were alone, theory eq. (W15). Those of one frequency, with crests at X = 0 at T = 0, act as one pattern.
+   !> Take the joint effect of both waves, after the response to each. Waves of different frequencies change the mean
+   !> independently, theory eq. (W15). Waves of equal frequency, with crests at X = 0 at T = 0, act as a single pattern.
    subroutine take_responses(self, surfaces, central_film, steady, responses, means)
       class(pair_result_t), intent(inout) :: self
       type(surfaces_t), intent(in) :: surfaces
       real(dp), intent(in) :: central_film                   !! smooth H(0,0)
       type(shared_steady_t), intent(inout) :: steady
-      type(harmonic_response_t), intent(in) :: responses(:)  !! of each surface, converged
-      type(mean_change_t), intent(in) :: means(:)            !! the same of the mean
+      type(harmonic_response_t), intent(in) :: responses(:)  !! responses of each surface, converged
+      type(mean_change_t), intent(in) :: means(:)            !! changes of the mean, likewise
       real(dp), allocatable :: film(:, :)
       real(dp) :: amplitudes(2)
       type(harmonic_response_t) :: together
@@ -67,8 +67,8 @@ contains
       if (.not. self%surfaces_touch) self%smallest_film = minval(film)
    end subroutine take_responses
 
-   !> Whether the waves have one frequency, and both or neither vary along Y only; on a line contact also one wave
-   !> number along it, over which the mean is taken.
+   !> Whether the waves have equal frequency, and both or neither vary along Y only; on a line contact also equal
+   !> wave number along it, over which the mean is taken.
    pure logical function are_tied(surfaces, is_line)
       type(surfaces_t), intent(in) :: surfaces
       logical, intent(in) :: is_line
