@@ -10,7 +10,6 @@ module ehlwave_case_keys
    use ehlwave_case_key, only: key_t
    use ehlwave_effect_keys, only: by_second_order
    use ehlwave_key_list, only: key_list_t
-   use ehlwave_heat_keys, only: visit_heat_keys
    use ehlwave_kinds, only: dp
    use ehlwave_oil_keys, only: visit_oil_keys
    use ehlwave_roughness_keys, only: visit_surface, visit_waviness
@@ -58,8 +57,8 @@ contains
 
       call list%begin()
       call visit_conditions(case, list)
-      call visit_oil_keys(case%oil, case%heat%is_given(), list)
-      call visit_heat_keys(case%heat, list)
+      call visit_oil_keys(case%oil, case%effects%are_warm(), list)
+      call case%effects%visit('lubricant', list)
       call visit_waviness(case%roughness_t, '', list)
       call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude "// &
          "in time, "// &

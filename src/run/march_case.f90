@@ -94,7 +94,7 @@ contains
       logical :: keeps
 
       finest = size(multigrid%levels)
-      if (case%heat%follows_waves()) then
+      if (case%effects%heat%data%follows_waves()) then
          call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue, energy)
       else
          call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue)
