@@ -75,7 +75,7 @@ module ehlwave_bare_result
       type(gradient_t), allocatable :: by_key(:)     !! by each variable, if asked for
       type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates
       type(rolling_result_t) :: rolling              !! its resistance to rolling
-      character(len=:), allocatable :: warning       !! what the model leaves out and matters here, else empty
+      character(len=:), allocatable :: warning       !! relevant effect that the model lacks, else empty
       ! the largest over all solutions of the case
       real(dp) :: residual = 0                       !! mass residual, see solve_report_t
       real(dp) :: load_error = 0

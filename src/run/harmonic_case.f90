@@ -117,7 +117,7 @@ contains
          harmonic%h = response%h
       end if
       by_effects = result%effects%film_error()
-      ! unless a coarser grid tells more
+      ! unless a coarser grid shows more
       harmonic%error = max(error_by_model(plan, result, harmonic), &
                            plan%light_ratio_error(result%central_film, .false.)) + by_effects
       harmonic%error_basis = 'model'

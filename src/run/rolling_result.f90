@@ -77,7 +77,7 @@ contains
                      wet_share(problem, state))/(2*problem%conditions%radius_over_a())
    end function rolling_coefficient
 
-   !> Complete the error, which so far is that of the mesh; where no second grid shows that, it is the film error.
+   !> Complete the error, so far the mesh error; where no second grid shows it, it is the film error.
    pure subroutine add_errors(self, film_error, edge_error, solver_error, lacks_oil)
       class(rolling_result_t), intent(inout) :: self
       real(dp), intent(in) :: film_error   !! error of H(0,0), relative, by the mesh

@@ -27,7 +27,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(march_result_t), intent(in) :: history
-      type(case_result_t), intent(in) :: result  !! with what the last period has
+      type(case_result_t), intent(in) :: result  !! with the data of the last period
       complex(dp), allocatable :: parts(:, :)
       real(dp), allocatable :: means(:), misfits(:), periods(:)
       integer :: before, n

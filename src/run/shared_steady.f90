@@ -25,7 +25,7 @@ module ehlwave_shared_steady
    !> writes copies and ends of all its parts into each procedure, which compiles three times as long.
    type, public :: shared_steady_t
       type(full_multigrid_t) :: multigrid
-      type(energy_t) :: energy                       !! of the steady state, where it is with heat
+      type(energy_t) :: energy                       !! energy equation of the steady state, with heat
       type(rolling_result_t) :: rolling              !! its resistance to rolling
       type(rescue_t) :: rescue                       !! as the steady state left it, for later parts of a case
       class(harmonic_solver_t), allocatable :: response          !! about the finest level
@@ -165,7 +165,7 @@ contains
       end if
       n = size(self%multigrid%levels)
       self%has_coarse = n > 1
-      if (n > 1 .and. case%effects%are_warm()) self%has_coarse = self%multigrid%levels(n - 1)%has_film()   ! a warm one
+      if (n > 1 .and. case%effects%are_warm()) self%has_coarse = self%multigrid%levels(n - 1)%has_film()  ! a warm contact
       if (self%has_coarse) then
          call self%multigrid%solve_level(n - 1, limits_of(case), report)
          self%has_coarse = report%status == status_converged

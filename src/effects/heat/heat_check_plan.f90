@@ -1,4 +1,4 @@
-!> The heat of a case: what it needs, and what it cannot be asked for.
+!> Heat of a case: required data, and refusals.
 module ehlwave_heat_check_plan
    use ehlwave_case_definition, only: case_t
    use ehlwave_errors, only: error_t, raise
