@@ -165,7 +165,7 @@ contains
       end if
       n = size(self%multigrid%levels)
       self%has_coarse = n > 1
-      if (n > 1 .and. case%effects%are_warm()) self%has_coarse = self%multigrid%levels(n - 1)%has_film()  ! a warm contact
+      if (n > 1 .and. case%effects%are_warm()) self%has_coarse = self%multigrid%levels(n - 1)%has_film()   ! if warm
       if (self%has_coarse) then
          call self%multigrid%solve_level(n - 1, limits_of(case), report)
          self%has_coarse = report%status == status_converged
