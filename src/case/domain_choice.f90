@@ -16,24 +16,24 @@ module ehlwave_domain_choice
 
    ! Measured, domains of (-2.5, 1.5, 2) to (-40, 8, 24): P = 0 at the edges leaves 0.55 to 0.75 of the thickening alpha
    ! q of the inlet edge for M = 20 to 500, and the load outside in the power by which the film of the formula falls
-   ! with the load (M = 4.2, L = 0, r0 = 10: 17 %). Flooded edges leave 0.005 to 0.035 of the former and 0.1 of the
-   ! latter. Ad/Ai has 0.15 to 0.4 of the error of the film with P = 0, about as much as the film with flooded edges (D
+   ! with the load (M = 4.2, L = 0, r0 = 10: 17 %). Flooded edges leave 0.005 to 0.035 of the first and 0.1 of the
+   ! second. Ad/Ai has 0.15 to 0.4 of the error of the film with P = 0, about as much as the film with flooded edges (D
    ! = 0.3, M = 100: 0.18 and 0.25 %). Oils that do not thicken have an inlet, too, so flooded edges have 4 + alpha in
    ! place of alpha, as the far field at r = 1. Of 122 random contacts (M = 5 to 1000, D = 0 to 1, Newtonian, thinning,
-   ! isoviscous; domains of two and four times the size) film errors were at most 1.15 times the expected error; with
+   ! isoviscous; domains of two and four times the size) films were off by at most 1.15 times what is expected; with
    ! alpha, isoviscous, by up to 8 times.
    real(dp), parameter :: pressure_factor = 0.65_dp, flooded_pressure_share = 0.04_dp, flooded_load_share = 0.1_dp
    real(dp), parameter :: ratio_share = 0.4_dp
-   !> Share of the viscosity lost by shear at the inlet edge. One contact exceeded it by 1.6 times (M = 48, L = 15,
-   !> D = 0.04, Ree-Eyring).
+   !> Of the viscosity that shear takes at the inlet edge. One contact was off by 1.6 times what it says (M = 48,
+   !> L = 15, D = 0.04, Ree-Eyring).
    real(dp), parameter :: thinned_margin = 1.6_dp
    real(dp), parameter :: share_of_accuracy = 0.3_dp      !! for the domain, where it is chosen
    real(dp), parameter :: largest_scale = 32
 
 contains
 
-   !> Scale of the domain of a case needed for its accuracy, and for the room of a thick film: a power of 2. It exceeds
-   !> 1 only with flooded edges and a domain of the default size.
+   !> How many times as large as that of a case a domain has to be for its accuracy, and for the room that a thick film
+   !> needs: a power of 2. It is more than 1 with flooded edges and a domain of the usual size only.
    pure real(dp) function chosen_scale(case, conditions, rheology) result(scale)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
@@ -58,7 +58,7 @@ contains
       case%y_max = scale*case%y_max
    end subroutine scale_domain
 
-   !> Whether the plan may take a larger domain than `scale` times the domain of a case.
+   !> Whether the plan may take a larger domain than `scale` times that of a case.
    pure logical function may_enlarge(case, scale)
       type(case_t), intent(in) :: case
       real(dp), intent(in) :: scale
@@ -69,8 +69,8 @@ contains
          maxval(abs([case%x_min - usual%x_min, case%x_max - usual%x_max, case%y_max - usual%y_max])) <= 0
    end function may_enlarge
 
-   !> Relative errors by the edges of a domain `scale` times the domain of a case: of H(0,0), and of Ad/Ai; without
-   !> waves both of H(0,0).
+   !> Relative errors by the edges of a domain `scale` times that of a case: of H(0,0), and of Ad/Ai, without waves both
+   !> of H(0,0).
    pure function expected_domain_errors(case, conditions, rheology, scale) result(errors)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
@@ -85,7 +85,7 @@ contains
       thickening = rheology%thickening()
       far = new_far_field(conditions, thickening)
       contact = conditions
-      if (.not. thickening > 0) contact%l = 0         ! its law of viscosity is independent of pressure, at any L
+      if (.not. thickening > 0) contact%l = 0         ! its law of viscosity knows no pressure, whatever L is
       heavier = contact
       heavier%m = (1 + step)*contact%m
       slope = -log(moes_film_formula(heavier)/moes_film_formula(contact))/log(1 + step)
@@ -106,7 +106,7 @@ contains
    end function expected_domain_errors
 
    !> Share of the viscosity, for the flow along X, that an oil loses by the shear of its film at ambient pressure. The
-   !> far field assumes an oil without this loss.
+   !> far field is that of an oil that loses none.
    pure real(dp) function thinning_at(rheology, conditions, film) result(lost)
       type(rheology_t), intent(in) :: rheology
       type(conditions_t), intent(in) :: conditions

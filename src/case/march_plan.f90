@@ -12,7 +12,7 @@ module ehlwave_march_plan
    public :: plan_march
 
    integer, parameter :: most_steps = 1000000
-   real(dp), parameter :: share_of_steps = 0.2_dp    !! share of the accuracy, for steps longer than hX
+   real(dp), parameter :: share_of_steps = 0.2_dp    !! of the accuracy, for steps longer than hX
    real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
    real(dp), parameter :: load_time = 1              !! T more that the film takes to follow a load step at T = 0
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
@@ -24,8 +24,8 @@ contains
    !> first period and below 0.1 per cent in the second), then one period. A measured surface is followed until its
    !> trailing end is at the contact centre. Two surfaces with waves are measured until they repeat together, or for a
    !> beat. Where the layer of oil changes, they are measured once the change has passed and the inlet has followed, and
-   !> after a load step somewhat later. An `end_time` overrides all; if it comes before patterns and change have passed
-   !> plus one period, no amplitude is measured. Fails where a change of the layer comes after the end.
+   !> after a load step somewhat later. An `end_time` overrides all; where it comes before patterns and change have
+   !> passed and one period more, no amplitude is measured. Fails where a change of the layer comes after the end.
    subroutine plan_march(case, plan, error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
@@ -73,11 +73,11 @@ contains
       plan%first_sample = ceiling(settled/plan%dt - 1e-9_dp)
    end subroutine plan_march
 
-   !> dT/hX for the requested accuracy: 2 for waves of at least 64 mesh sizes, where it adds little error (measured:
-   !> lambda = 2 a on 128 cells, 33 to 62 per cent of the GMRES steps of dT = hX), else 1: for shorter waves longer
-   !> steps save nothing. The linear response assumes steps of at most one cell. The mesh of a fitted scheme is as
-   !> wide as the inlet allows, and longer steps are too long for it (M = 3000, D = 1, lambda = a, 192 cells, 24 steps
-   !> per wave: Ad/Ai is 22 per cent off).
+   !> dT/hX for the accuracy asked for: 2 for waves of at least 64 mesh sizes, where it adds little error (measured:
+   !> lambda = 2 a on 128 cells, 33 to 62 per cent of the GMRES steps of dT = hX), else 1: for shorter waves
+   !> longer steps save nothing. The linear response is that of steps of at most one cell. The mesh of a fitted scheme
+   !> is as wide as the inlet allows, and longer steps are too long for it (M = 3000, D = 1, lambda = a, 192 cells, 24
+   !> steps per wave: Ad/Ai is 22 per cent off).
    pure integer function chosen_step(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
