@@ -235,8 +235,8 @@ contains
       end if
       work_before = self%multigrid%work()
       call self%response%find_tangent(self%multigrid%levels)
-      call self%gradient%find(self%response%tangent, self%multigrid%levels, self%effects%starvation%flooded, variables, &
-                              min(tangent_tolerance, case%tolerance))
+      call self%gradient%find(self%response%tangent, self%multigrid%levels, self%effects%starvation%flooded, &
+                              variables, min(tangent_tolerance, case%tolerance))
       self%is_differentiated = .true.
       self%derivative_work = self%multigrid%work() - work_before
    end subroutine differentiate
