@@ -278,7 +278,8 @@ contains
       end do
    end function steepening
 
-   !> Add the errors by the solution of the effects to those of film and friction, and widen those of their numbers.
+   !> Add the errors by the solution of the effects to the errors of film and friction, and widen the errors of their
+   !> own results.
    subroutine add_own_errors(self, grid, result)
       class(effects_result_t), intent(inout), target :: self
       type(grid_t), intent(in) :: grid
