@@ -4,9 +4,7 @@ module ehlwave_march_plan
    use ehlwave_case_definition, only: case_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: formula_ratio
-   use ehlwave_inlet_plan, only: expected_oil
    use ehlwave_kinds, only: dp
-   use ehlwave_layer_change, only: change_times, layer_changes
    use ehlwave_planned_case, only: case_plan_t, run_march
    use ehlwave_resolution, only: fewest_points_per_wave
    use ehlwave_scheme_choice, only: longest_step, takes_long_steps
@@ -34,7 +32,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
       type(error_t), allocatable, intent(inout) :: error
-      real(dp) :: change_passed, passed, settled, total
+      real(dp) :: passed, settled, total
 
       plan%kind = run_march
       if (case%time_step_over_cell <= 0) then
@@ -51,11 +49,7 @@ contains
          settled = min(settled, total)
       else if (plan%surfaces%moves()) then
          passed = plan%surfaces%passing_time(outlet_end)
-         if (layer_changes(case)) then
-            call change_times(case, plan%conditions, expected_oil(plan%inlet, plan%conditions, plan%rheology), &
-                              plan%x_min, outlet_end, change_passed, plan%rest)
-            passed = max(passed, change_passed)
-         end if
+         call plan%effects%delay(case, plan%bare_plan_t, outlet_end, passed, plan%rest)
          settled = max(passed, plan%rest)
          if (abs(case%load_factor - 1) > 0) settled = settled + load_time
          settled = settled + case%settling_periods*plan%surfaces%longest_period()
@@ -69,12 +63,8 @@ contains
          settled = case%end_time
          total = case%end_time
       end if
-      if (layer_changes(case) .and. case%oil_change_start >= total) then
-         call raise(error, '&inlet oil_change_start = '//to_text(case%oil_change_start, 6)//' is not before the '// &
-                    'end of the march, T = '//to_text(total, 6)//': the layer would never change; start earlier'// &
-                    trim(merge(', or give a later &dynamics end_time', repeat(' ', 36), case%end_time > 0)))
-         return
-      end if
+      call plan%effects%check_run(case, plan%kind, total, error)
+      if (allocated(error)) return
       if (total/plan%dt > most_steps) then
          call raise(error, 'the case needs '//to_text(total/plan%dt, 3)//' time steps, more than '// &
                     to_text(most_steps)//': with slip_parameter near 0 the pattern hardly moves; use 0 for a '// &
@@ -87,7 +77,7 @@ contains
 
    !> dT/hX on cells that are given, or that measured heights have chosen: that of the least work where it resolves the
    !> shortest wave and its error is a small share of the accuracy.
-   pure integer function chosen_step(case, plan)
+   integer function chosen_step(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       real(dp) :: ratio, steps   ! steps: per wave

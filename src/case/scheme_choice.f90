@@ -2,6 +2,7 @@
 module ehlwave_scheme_choice
    use ehlwave_accuracy_model, only: fitted_share
    use ehlwave_case_definition, only: case_t, largest_line_cells, roughness_t
+   use ehlwave_effect_keys, only: by_fitted_scheme, by_long_steps
    use ehlwave_case_lubricant, only: case_lubricant
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
@@ -69,10 +70,10 @@ contains
 
    !> Whether a march may take steps longer than hX. The linear response has the frequency of steps of one cell, and line
    !> contacts lose up to 60 per cent of Ad/Ai with steps of two (M = 200, L = 10, 128 cells).
-   pure logical function takes_long_steps(case)
+   logical function takes_long_steps(case)
       type(case_t), intent(in) :: case
       takes_long_steps = case%moves() .and. case%response == 'transient' .and. case%load_balance == 'force_balance' &
-         .and. case%radius_ratio_d > 0 .and. .not. (case%is_starved() .or. case%heat%follows_waves())
+         .and. case%radius_ratio_d > 0 .and. .not. (case%effects%refuse(by_long_steps) .or. case%heat%follows_waves())
    end function takes_long_steps
 
    !> Relative work of a march: that of its nodes and steps.
@@ -135,9 +136,9 @@ contains
    end function is_fitted
 
    !> Whether the fitted scheme is written for what the case asks.
-   pure logical function suits(case)
+   logical function suits(case)
       type(case_t), intent(in) :: case
-      suits = .not. (case%heat%is_given() .or. case%is_starved())
+      suits = .not. (case%heat%is_given() .or. case%effects%refuse(by_fitted_scheme))
    end function suits
 
 end module ehlwave_scheme_choice

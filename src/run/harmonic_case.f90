@@ -5,6 +5,7 @@ module ehlwave_harmonic_case
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_effect_keys, only: by_second_order
    use ehlwave_error_estimate, only: formal_order, likely_order
    use ehlwave_film_errors, only: limit_spread
    use ehlwave_harmonic_response, only: harmonic_response_t
@@ -96,7 +97,7 @@ contains
          return
       end if
       call harmonic%take(response%film, response%pressure, response%approach)
-      if (case%mean_rise .and. .not. plan%inlet%is_short()) then
+      if (case%mean_rise .and. .not. case%effects%refuse(by_second_order)) then
          room = -steady%multigrid%work()
          call steady%make_room(keeps_response=case%sensitivities .or. plan%kind /= run_harmonic .or. &
                                size(plan%surfaces%list) > 1)
@@ -104,7 +105,8 @@ contains
          call find_mean(waves, steady, response, result, harmonic, mean)
       end if
       result%work = result%work + steady%multigrid%work() - work_before
-      if (case%sensitivities .and. surface == 1) call find_response_sensitivities(steady, response, result)
+      if (case%sensitivities .and. surface == 1) &
+         call find_response_sensitivities(case, plan, steady, response, result)
       associate (level => steady%multigrid%levels(n))
          if (waves%moves()) harmonic%waves = new_two_wave_result(level%problem, level%state, waves, response%h)
       end associate

@@ -2,12 +2,15 @@
 module ehlwave_rolling_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_error_estimate, only: estimate_error, formal_order
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_rolling_moment, only: shift_inside, shift_outside, wet_share
+   use ehlwave_state, only: state_t
    implicit none (type, external)
    private
+   public :: rolling_coefficient
 
    !> NaN where it is not known: the coefficient without E' and pressure, the others without lengths.
    type, public :: rolling_result_t
@@ -27,23 +30,23 @@ module ehlwave_rolling_result
 
    integer, parameter :: fewest_domains = 2        !! out to which oil counts, at least
    real(dp), parameter :: mesh_margin = 2           !! of what grids show
-   real(dp), parameter :: starved_order = 1        !! with two grids
+   real(dp), parameter :: first_order = 1          !! with two grids
    real(dp), parameter :: film_share = 0.25_dp     !! of the film error, at least: grids can agree by chance
    real(dp), parameter :: far_share = 0.03_dp      !! error of the far field, over what it contributes
 
 contains
 
    !> Account of a steady solution. Oil outside the domain counts out to Rx, where bodies are no longer paraboloids.
-   subroutine take(self, levels, is_starved)
+   subroutine take(self, levels, is_first_order)
       class(rolling_result_t), intent(inout) :: self
       type(level_t), intent(in) :: levels(:)   !! finest first
-      logical, intent(in) :: is_starved        !! whether it has a meniscus, whose place is of first order
+      logical, intent(in) :: is_first_order    !! whether errors by the mesh are
       real(dp) :: all_outside, outside, shift(size(levels)), times
       integer :: l
 
       shift = no_value
       associate (problem => levels(1)%problem)
-         times = max(real(fewest_domains, dp), problem%conditions%radius_over_a()/abs(problem%grid%x(0)))
+         times = times_outside(problem)
          all_outside = shift_outside(problem, times)
          outside = all_outside*wet_share(problem, levels(1)%state)
          do l = 1, size(levels)
@@ -52,11 +55,27 @@ contains
          self%pressure_centre_x = -shift(1)
          self%share_outside = outside/shift(1)
          self%share_missing = (all_outside - outside)/shift(1)
-         self%error = mesh_margin*estimate_error(shift, merge(starved_order, formal_order, is_starved))
+         self%error = mesh_margin*estimate_error(shift, merge(first_order, formal_order, is_first_order))
          if (problem%conditions%radius_over_a() > 0) &
             self%coefficient = shift(1)/(2*problem%conditions%radius_over_a())
       end associate
    end subroutine take
+
+   !> How far out oil counts, over the size of the domain.
+   pure real(dp) function times_outside(problem) result(times)
+      type(contact_problem_t), intent(in) :: problem
+      times = max(real(fewest_domains, dp), problem%conditions%radius_over_a()/abs(problem%grid%x(0)))
+   end function times_outside
+
+   !> The coefficient of a steady solution; NaN where it is not known.
+   real(dp) function rolling_coefficient(problem, state) result(coefficient)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      coefficient = no_value
+      if (.not. problem%conditions%radius_over_a() > 0) return
+      coefficient = (shift_inside(problem, state) + shift_outside(problem, times_outside(problem))* &
+                     wet_share(problem, state))/(2*problem%conditions%radius_over_a())
+   end function rolling_coefficient
 
    !> Complete the error, which so far is that of the mesh; where no second grid shows that, it is the film error.
    pure subroutine add_errors(self, film_error, edge_error, heat_error, lacks_oil)

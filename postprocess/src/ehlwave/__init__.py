@@ -1,9 +1,9 @@
 """Wavy and rough surfaces in elastohydrodynamic contacts.
 
 Answers in one call: :class:`Contact`. The programs from Python: :class:`Case`, :class:`Study`.
-Their results: :func:`read_results`, :func:`read_case`, and what draws, fits and tabulates them.
-Measured surfaces: :mod:`ehlwave.surface`. Stresses below them: :mod:`ehlwave.stress`. Bearings,
-gears and cams: :mod:`ehlwave.elements`. Modules are imported on first use.
+Their results: :func:`read_results`, :func:`read_case`, and functions that draw, fit and tabulate
+them. Measured surfaces: :mod:`ehlwave.surface`. Stresses below them: :mod:`ehlwave.stress`.
+Bearings, gears and cams: :mod:`ehlwave.elements`. Modules are imported on first use.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -128,7 +128,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:  # noqa: ANN401
-    """Import what is asked for."""
+    """Import a module on request."""
     from ehlwave.extras import load
 
     if name == "read_case":

@@ -33,7 +33,7 @@ def advice(error: ModuleNotFoundError) -> str | None:
 def load(module: str) -> ModuleType:
     """Import a module that needs an extra.
 
-    Raises ModuleNotFoundError if a package is missing; the message says which extra has it.
+    Raises ModuleNotFoundError if a package is missing; the message names the extra that has it.
     """
     try:
         return import_module(module)

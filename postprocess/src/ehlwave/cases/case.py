@@ -1,4 +1,4 @@
-"""One case by ``ehlwave-case``, its result as :class:`xarray.Dataset`."""
+"""A case run by ``ehlwave-case``, its result as :class:`xarray.Dataset`."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ SURFACES = {"surface": "file", "surface2": "file_2"}
 
 
 class Case:
-    """One case for ``ehlwave-case``.
+    """A case for ``ehlwave-case``.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ class Case:
         return html_table("Case", keys)
 
     def plan(self) -> dict[str, Any]:
-        """Return what would be computed, and on which grid, by the names of ``--plan --json``.
+        """Return the plan of the computation, with its grid, by the names of ``--plan --json``.
 
         Examples
         --------
@@ -87,9 +87,9 @@ class Case:
         seconds : float, optional
             Wall time after which it is stopped.
         progress : callable or False, optional
-            Called as ``progress(done, whole, text)`` for each line of progress; ``text`` says what
-            is counted, such as ``"time step"``. Without it a notebook shows a bar if tqdm is
-            installed; False: none.
+            Called as ``progress(done, whole, text)`` for each line of progress; ``text`` names the
+            unit, such as ``"time step"``. Without it a notebook shows a bar if tqdm is installed;
+            False: none.
 
         Returns
         -------

@@ -34,13 +34,13 @@ def grouped(keys: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
 
 @cache
 def key_table() -> pd.DataFrame:
-    """Return what the program says of its keys, a row each: ``ehlwave-case --keys --json``.
+    """Return the program's table of its keys, a row each: ``ehlwave-case --keys --json``.
 
     Columns: ``group``, ``name``, ``kind``, ``unit``, the bounds ``above``, ``minimum`` and
     ``maximum``, ``choices``, ``default``, ``default_text``, ``required``, ``help`` and
     ``belongs_to``, the cases that have the key.
 
-    Raises ProgramError if there is no program, or one of another version that does not say it.
+    Raises ProgramError if there is no program, or its version has no such table.
     """
     said = run_program("ehlwave-case", "--keys", "--json").stdout
     try:
@@ -59,7 +59,7 @@ def key_groups() -> dict[str, str]:
 
 
 def run_program(name: str, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run a program; ProgramError with what it said unless its exit status is 0 or 1."""
+    """Run a program; ProgramError with its message unless its exit status is 0 or 1."""
     done = run_following([str(find_program(name)), *arguments], None, "stdout")
     return checked(done, (0, 1))
 
@@ -67,7 +67,7 @@ def run_program(name: str, *arguments: str) -> subprocess.CompletedProcess[str]:
 def checked(
     done: subprocess.CompletedProcess[str], fine: Sequence[int]
 ) -> subprocess.CompletedProcess[str]:
-    """Return what was run; ProgramError with what it said unless its exit status is fine."""
+    """Return the completed run; ProgramError with its message unless its exit status is fine."""
     if done.returncode not in fine:
         said = "; ".join((done.stderr or done.stdout).strip().splitlines())
         command = " ".join(map(str, done.args))

@@ -44,11 +44,11 @@ class Study(Shown):
     Parameters
     ----------
     grid : mapping or table
-        A mapping of keys: every combination of those that are given as lists is a case, the others
-        are shared. Or a :class:`pandas.DataFrame`, or a list of mappings: one case a row. A column
-        ``label`` names the cases; results carry it.
+        A mapping of keys: every combination of the listed values is a case, the others are shared.
+        Or a :class:`pandas.DataFrame`, or a list of mappings: a case per row. A column ``label``
+        names the cases; results carry it.
     **shared
-        Keys that all cases share, besides; a value of the grid stands before one of these.
+        Keys that all cases share, besides; a value of the grid overrides these.
 
     Raises
     ------
@@ -97,7 +97,7 @@ class Study(Shown):
         self.options = {key: value for key, value in given.items() if key in OPTIONS}
 
     def _shown_rows(self) -> dict[str, str]:
-        """Return what varies, and over how many values."""
+        """Return the varying keys, and the numbers of their values."""
         if self.rows is not None:
             return {"rows": str(len(self.rows)), "of": ", ".join(map(str, self.rows.columns))}
         return {key: f"{len(values)} values" for key, values in self.lists.items()}
@@ -115,8 +115,8 @@ class Study(Shown):
         Parameters
         ----------
         output : path, optional
-            Results file, kept; the store of finished cases is beside it, so that the same call goes
-            on where it was stopped. A temporary one if absent.
+            Results file, kept; the store of finished cases is beside it, so that the same call
+            resumes a stopped sweep. A temporary file if absent.
         ranks : int
             MPI ranks. More than 1, or any number where ``EHLWAVE_LAUNCHER`` is set, are started by
             ``run-sweep``, or by ``mpirun`` where there is no such script; 1 runs the program
@@ -142,7 +142,7 @@ class Study(Shown):
         Warns
         -----
         UserWarning
-            Of what the program notes: cases that are set aside, others in the same store.
+            Notes of the program: cases that are set aside, others in the same store.
 
         Examples
         --------
@@ -155,7 +155,7 @@ class Study(Shown):
         >>> results["harmonic_ratio"].values.round(2).tolist()
         [0.93, 0.57]
 
-        The same call again reads what is there and computes nothing:
+        The same call again reads the stored results and computes nothing:
 
         >>> again = study.run("results.h5")
         >>> bool((again["seconds"] == results["seconds"]).all())
@@ -204,7 +204,7 @@ class Study(Shown):
         return namelist({**self.groups, "sweep": sweep})
 
 
-def _rows(grid: Any) -> pd.DataFrame:  # noqa: ANN401 - what users give
+def _rows(grid: Any) -> pd.DataFrame:  # noqa: ANN401 - user input
     try:
         return pd.DataFrame(grid)
     except (TypeError, ValueError):
@@ -219,7 +219,7 @@ def _is_list(value: object) -> bool:
 
 
 def _sweep_command(ranks: int, restarts: int) -> tuple[list[str], dict[str, str]]:
-    """Return what starts a sweep, and its environment."""
+    """Return the command of a sweep, and its environment."""
     program, environment = str(find_program("ehlwave-sweep")), dict(os.environ)
     if ranks == 1 and not environment.get("EHLWAVE_LAUNCHER"):
         return [program], environment

@@ -1,4 +1,4 @@
-"""The commands on results files and files of cases: what they do."""
+"""Actions of the commands on results files and files of cases."""
 
 import argparse
 import sys
@@ -12,7 +12,7 @@ from ehlwave.results.case_file import contact_figure, read_contact
 from ehlwave.results.export import export
 from ehlwave.results.points import VARIABLES, remarks, resolved_only, select_points
 from ehlwave.results.read import read_results
-from ehlwave.results.refit import RefitSettings, refit_groups
+from ehlwave.results.refit import RefitSettings, refit_groups, refit_warnings
 from ehlwave.surface.harmonics import write_harmonic_table
 
 if TYPE_CHECKING:
@@ -83,6 +83,8 @@ def run_refit(options: argparse.Namespace) -> None:
     _print_remarks(points)
     settings = RefitSettings(replicates=options.replicates, seed=options.seed)
     rows = refit_groups(points, settings)
+    for warning in refit_warnings(rows):
+        _note(warning)
     document = tables.refit_json(rows, settings, points, options.ratio)
     tables.write_refit_csv(options.output / "refit.csv", rows, options.writer)
     options.writer.text(options.output / "refit.json", document + "\n")
@@ -90,27 +92,37 @@ def run_refit(options: argparse.Namespace) -> None:
 
 
 def run_table(options: argparse.Namespace) -> None:
-    """Count cases by status and list the failed ones."""
+    """Count cases by status and list the failed cases."""
     print(tables.summary_text(read_results(options.results)))
 
 
 def run_export(options: argparse.Namespace) -> None:
-    """Write results, or fields of one case, for other programs."""
+    """Write results, or fields of a case, for other programs."""
     kinds = ("csv", "parquet", "netcdf", "vtk")
     targets = {kind: getattr(options, kind) for kind in kinds if getattr(options, kind)}
     print("\n".join(export(options.results, targets, options.writer)))
 
 
 def run_contact(options: argparse.Namespace) -> None:
-    """Draw film and pressure of one case."""
+    """Draw film and pressure of a case."""
     figure = contact_figure(read_contact(options.case))
     _write_picture(options, figure, options.case.stem)
 
 
 def run_plot(options: argparse.Namespace) -> None:
-    """Draw one case in um, GPa and us."""
-    figure = load("ehlwave.results.case_figures").case_figure(read_contact(options.case))
-    _write_picture(options, figure, f"{options.case.stem}-case")
+    """Draw a case in um, GPa and us."""
+    draw = load("ehlwave.results.case_figures").case_figure
+    _write_picture(
+        options, draw(read_contact(options.case), options.time), f"{options.case.stem}-case"
+    )
+
+
+def run_animate(options: argparse.Namespace) -> None:
+    """Draw film and pressure of a march in motion."""
+    draw = load("ehlwave.results.animation").write_animation
+    target = options.output / f"{options.case.stem}.{options.format}"
+    case = read_contact(options.case)
+    print(draw(case, target, options.writer, options.frames_per_second))
 
 
 def _write_picture(options: argparse.Namespace, figure: "Figure", name: str) -> None:

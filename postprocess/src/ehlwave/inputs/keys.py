@@ -12,7 +12,7 @@ Text = str | PathLike[str]
 
 
 class CaseKeys(TypedDict, total=False):
-    """Of one case."""
+    """Keys of a case."""
 
     radius_x_m: SupportsFloat
     """reduced radius in the rolling direction, m"""
@@ -225,7 +225,7 @@ class CaseKeys(TypedDict, total=False):
     fields_every: SupportsIndex
     """time steps from one kept set of fields to the next"""
     sensitivities: bool
-    """whether film and linear response are differentiated by alpha and by the stress of the flow"""
+    """whether results are differentiated by every input"""
     mean_rise: bool
     """whether a linear response finds to second order what waves do to the mean film"""
 
@@ -241,7 +241,7 @@ class StudyKeys(CaseKeys, total=False):
 
 
 class ContactKeys(TypedDict, total=False):
-    """Of :class:`ehlwave.Contact`."""
+    """Keys of :class:`ehlwave.Contact`."""
 
     radius_x_m: SupportsFloat
     """reduced radius in the rolling direction, m"""
@@ -283,111 +283,3 @@ class ContactKeys(TypedDict, total=False):
     """slide-to-roll ratio (u1 - u2)/ubar; in place of slip_parameter, S = 1 + ratio/2"""
     oil_over_flooded: SupportsFloat
     """oil offered over oil that the flooded contact passes"""
-
-
-GROUP_OF = {
-    "radius_x_m": "conditions",
-    "radius_y_m": "conditions",
-    "reduced_modulus_pa": "conditions",
-    "load_n": "conditions",
-    "load_n_per_m": "conditions",
-    "mean_speed_m_per_s": "conditions",
-    "viscosity_pa_s": "conditions",
-    "load_parameter_m": "conditions",
-    "lubricant_parameter_l": "conditions",
-    "radius_ratio_d": "conditions",
-    "slip_parameter": "conditions",
-    "slide_to_roll_ratio": "conditions",
-    "pressure_viscosity_per_pa": "lubricant",
-    "roelands_index": "lubricant",
-    "viscosity_law": "lubricant",
-    "density_law": "lubricant",
-    "flow_law": "lubricant",
-    "eyring_stress_pa": "lubricant",
-    "carreau_modulus_pa": "lubricant",
-    "carreau_exponent": "lubricant",
-    "shear_limit_over_pressure": "lubricant",
-    "shear_limit_width": "lubricant",
-    "mcewen_coefficient_per_pa": "lubricant",
-    "mcewen_exponent": "lubricant",
-    "yasutomi_c1": "lubricant",
-    "yasutomi_c2_k": "lubricant",
-    "yasutomi_above_glass_k": "lubricant",
-    "yasutomi_a1_k": "lubricant",
-    "yasutomi_a2_per_pa": "lubricant",
-    "yasutomi_b1_per_pa": "lubricant",
-    "yasutomi_b2": "lubricant",
-    "doolittle_factor": "lubricant",
-    "doolittle_occupied_fraction": "lubricant",
-    "tait_modulus_pa": "lubricant",
-    "tait_modulus_rate": "lubricant",
-    "tait_softening_per_k": "lubricant",
-    "doolittle_occupied_rate_per_k": "lubricant",
-    "viscosity_table": "lubricant",
-    "temperature_k": "lubricant",
-    "oil_conductivity_w_per_m_k": "heat",
-    "oil_heat_capacity_j_per_kg_k": "heat",
-    "oil_density_kg_per_m3": "heat",
-    "oil_expansion_per_k": "heat",
-    "viscosity_temperature_per_k": "heat",
-    "body_conductivity_w_per_m_k": "heat",
-    "body_density_kg_per_m3": "heat",
-    "body_heat_capacity_j_per_kg_k": "heat",
-    "body2_conductivity_w_per_m_k": "heat",
-    "body2_density_kg_per_m3": "heat",
-    "body2_heat_capacity_j_per_kg_k": "heat",
-    "levels": "heat",
-    "wave_temperatures": "heat",
-    "orientation": "waviness",
-    "wavelength_over_a": "waviness",
-    "wavelength_x_over_a": "waviness",
-    "wavelength_y_over_a": "waviness",
-    "oblique": "waviness",
-    "amplitude_over_film": "waviness",
-    "response": "waviness",
-    "file": "surface",
-    "orientation_2": "waviness2",
-    "wavelength_over_a_2": "waviness2",
-    "wavelength_x_over_a_2": "waviness2",
-    "wavelength_y_over_a_2": "waviness2",
-    "oblique_2": "waviness2",
-    "amplitude_over_film_2": "waviness2",
-    "file_2": "surface2",
-    "oil_over_flooded": "inlet",
-    "oil_layer_m": "inlet",
-    "oil_profile": "inlet",
-    "oil_change_factor": "inlet",
-    "oil_change_start": "inlet",
-    "oil_change_length": "inlet",
-    "x_min": "grid",
-    "x_max": "grid",
-    "y_max": "grid",
-    "cells_x": "grid",
-    "cells_y": "grid",
-    "largest_cells": "grid",
-    "domain": "grid",
-    "edges": "grid",
-    "tolerance": "solver",
-    "step_tolerance": "solver",
-    "response_tolerance": "solver",
-    "time_step_over_cell": "solver",
-    "largest_steps": "solver",
-    "settling_periods": "solver",
-    "largest_total_steps": "solver",
-    "method": "solver",
-    "cycle": "solver",
-    "deformation": "solver",
-    "scheme": "solver",
-    "error_estimate": "solver",
-    "accuracy": "solver",
-    "threads": "solver",
-    "load_balance": "dynamics",
-    "natural_frequency": "dynamics",
-    "load_factor": "dynamics",
-    "end_time": "dynamics",
-    "fields": "output",
-    "fields_every": "output",
-    "sensitivities": "output",
-    "mean_rise": "output",
-}
-"""Group of each key in a file."""

@@ -21,11 +21,11 @@ LINES = 5
 """Lines along rolling on which a map is judged, evenly spread."""
 
 LEAST_SHARE = 1e-6
-"""Of the mean square of amplitude times wave number: what is left out of it, the smallest waves."""
+"""Share of the mean square of amplitude times wave number: the smallest waves, left out."""
 
 
 class Predicted(Protocol):
-    """Interface of a predicted surface; :class:`ehlwave.surface.Deformed` is one."""
+    """Interface of a predicted surface, as :class:`ehlwave.surface.Deformed`."""
 
     @property
     def surface(self) -> Surface:
@@ -33,7 +33,7 @@ class Predicted(Protocol):
 
     @property
     def conditions(self) -> Conditions:
-        """Of the contact."""
+        """Unit of the contact."""
 
     @property
     def transfer(self) -> Transfer | None:
@@ -46,7 +46,7 @@ class Predicted(Protocol):
 
 @dataclass(frozen=True, repr=False)
 class Ripple(Shown):
-    """The pressure waves of one surface inside a contact."""
+    """The pressure waves of a surface inside a contact."""
 
     slip: float
     """S of the surface."""
@@ -57,10 +57,11 @@ class Ripple(Shown):
     """`points`, `measured`: points of that length, and how many of them, the first, are the surface
     as it was measured."""
     amplitude: Complex
-    """Of the gap, m; those with kx above 0 stand for themselves and their conjugates; shape shape
-    (kx, ky)."""
+    """Amplitudes of the gap, m; waves with kx above 0 represent themselves and their conjugates;
+    shape (kx, ky).
+    """
     waves: PressureWaves
-    """Of the same shape."""
+    """Waves, of the same shape."""
     lines_m: Floats
     """Places across rolling that are judged."""
 
@@ -87,7 +88,7 @@ class Ripple(Shown):
 
 
 def ripple_of(deformed: Predicted, *, every_line: bool = False) -> Ripple:
-    """Return the ripple of a surface, along some lines of a map or along every one.
+    """Return the ripple of a surface, along some or all lines of a map.
 
     Raises StressError if the surface was not predicted with a transfer, or the contact has no
     lengths.

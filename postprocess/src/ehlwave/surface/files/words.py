@@ -50,7 +50,7 @@ SHIFT_JIS_WORDS = (
     *(word for words in _IDEOGRAMS.values() for word in words),
     *("間隔", "単位", "測定", "ピッチ"),
 )
-"""Words by which a text in Shift-JIS is told from one in Latin-1."""
+"""Words that distinguish a text in Shift-JIS from Latin-1."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class Heading:
 def heading_of(text: str) -> Heading:
     """Return the role and the unit of a heading; times, numbers of rows and forces are other.
 
-    A column without a name among named ones numbers the rows: it is other, too.
+    A column without a name among named columns numbers the rows: it counts as other, too.
     """
     if not text.strip():
         return Heading(text, "other", None)
