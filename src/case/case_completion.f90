@@ -66,8 +66,8 @@ contains
          call raise(error, "&solver deformation = 'mlmi'"//line//"has its deformation by 'fft'")
       else if (case%load_balance == 'equation_of_motion') then
          call raise(error, "&dynamics load_balance = 'equation_of_motion'"//line// &
-            'has no mutual approach of its own (that of '// &
-                    "a line load on a half-space is infinite): use 'force_balance'")
+            'has no mutual approach of its own (a line '// &
+                    "load on a half-space gives an infinite one): use 'force_balance'")
       end if
       case%cells_y = 1
       case%domain = 'auto'

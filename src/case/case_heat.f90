@@ -44,7 +44,7 @@ contains
                'grows warmer without end')
          else if (oil%viscosity_law == doolittle .and. .not. &
                   max(heat%oil_expansion_per_k, abs(oil%doolittle%occupied_rate_per_k)) > 0) then
-            call raise(error, "&lubricant viscosity_law = '"//doolittle//"' knows the temperature by its volume: "// &
+            call raise(error, "&lubricant viscosity_law = '"//doolittle//"' takes the temperature from its volume: "// &
                'give &heat oil_expansion_per_k, or &lubricant doolittle_occupied_rate_per_k, too')
          else if (.not. oil%takes_beta() .and. heat%viscosity_temperature_per_k > 0) then
             call raise(error, "&heat viscosity_temperature_per_k belongs to laws without temperature of their own: "// &

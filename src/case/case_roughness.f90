@@ -156,7 +156,7 @@ contains
       subroutine refuse_heights(heights, number)
          type(roughness_t), intent(in) :: heights
          character(len=*), intent(in) :: number
-         call raise(error, given//"' is that of one harmonic wave, "//given_as(heights, number)//' is none: remove '// &
+         call raise(error, given//"' needs a single harmonic wave, "//given_as(heights, number)//' is none: remove '// &
             '&surface'//number//" or set response to 'transient'")
       end subroutine refuse_heights
 

@@ -16,7 +16,7 @@ contains
       type(key_list_t), intent(inout) :: list
 
       call list%enter('heat', 'Heat of the film and of both bodies; absent: the contact is isothermal at T0. As '// &
-         'waves pass, temperatures stay those of the smooth contact, or are carried on in time.')
+         'waves pass, temperatures are frozen at the smooth contact, or computed in time.')
       list%common = key_t(is_late=.true., is_written=heat%is_given())
       call list%see(heat%oil_conductivity_w_per_m_k, key_t('oil_conductivity_w_per_m_k', 'conductivity of the oil', &
          unit='W/(m K)', above=0.0_dp, default='none'))

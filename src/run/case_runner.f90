@@ -155,7 +155,7 @@ contains
       text = ''
       if (.not. case%heat%is_given()) return
       if (case%heat%follows_waves()) then
-         text = 'in the march the oil takes its own temperatures, both surfaces keep those of the smooth contact'
+         text = 'in the march the oil has its own temperatures, both surfaces keep the smooth contact''s'
          if (case%response == 'both') text = text//'; the linear response has all of them from there'// &
             ', which leaves about '//to_text(frozen_error, 1)//' of Ai in its Ad/Ai'
       else
@@ -197,7 +197,7 @@ contains
          real(dp), parameter :: largest_difference = 0.05_dp
          if (.not. (ieee_is_finite(ratio) .and. ieee_is_finite(small))) return
          if (abs(ratio/small - 1) <= largest_difference) return
-         call add_warning(result, waves//to_text(100*amplitude, 3)//' % of the film do not respond as small ones: '// &
+         call add_warning(result, waves//to_text(100*amplitude, 3)//' % of the film respond unlike small waves: '// &
             'Ad/Ai = '//to_text(ratio, 3)//' against '//to_text(small, 3)//' of the linear response'// &
             trim(merge(', whose temperatures stay', repeat(' ', 25), case%heat%follows_waves())))
       end subroutine compare

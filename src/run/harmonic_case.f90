@@ -189,8 +189,8 @@ contains
       associate (amplitude => waves%amplitude(result%central_film))
          call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, waves, amplitude, change)
          if (change%status /= status_converged) then
-            call add_warning(result, 'what the waves do to the mean film is not found (its linear system '// &
-               status_name(change%status)//'): whether they touch is not known')
+            call add_warning(result, 'the change of the mean film by waves is not found (its linear system '// &
+               status_name(change%status)//'): contact between waves is not excluded')
             return
          end if
          call harmonic%take_mean(change, amplitude)

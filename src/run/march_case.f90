@@ -187,7 +187,7 @@ contains
          end if
          result%mean_film = fitted_mean(time(2:), film(2:), surfaces%periods())
          if (.not. (surfaces%are_apart() .or. surfaces%are_one())) call add_warning(result, 'the waves of both '// &
-            'surfaces pass the centre with one frequency, where the film does not tell them apart: no Ad/Ai')
+            'surfaces pass the centre with one frequency, so that the film cannot separate them: no Ad/Ai')
       end associate
    end subroutine take_last_period
 

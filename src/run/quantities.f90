@@ -49,9 +49,9 @@ contains
       call list%add('amplitude_ratio_fit', 'Ad/Ai from a harmonic fit', result%amplitude_ratio_fit)
       call list%add('phase_fit', 'phase of the harmonic fit against the pattern at the centre', result%phase_fit, &
          unit='rad')
-      call list%add('mean_film', 'mean of H(0,0) over what is measured: a period, all phases, or a surface', &
+      call list%add('mean_film', 'mean of H(0,0) over the measurement: a period, all phases, or a surface', &
          result%mean_film)
-      call list%add('march_from', "what the march that Ad/Ai is from started in: 'rest' or 'waves'", trim(result%route))
+      call list%add('march_from', "start of the march of Ad/Ai: 'rest' or 'waves'", trim(result%route))
       call list%add('central_film_error', 'estimated relative error of central_film', result%central_film_error, &
                     error_of='H(0,0)')
       call list%add('minimum_film_error', 'estimated relative error of minimum_film', result%minimum_film_error, &
@@ -62,19 +62,19 @@ contains
                     error_of='friction')
       call list%add('friction_error_domain', 'part of it by the oil outside the domain, out to radius_x_m from the '// &
                     'centre and at least twice the domain', result%friction_domain_error)
-      call list%add('film_error_basis', 'what the errors of film and friction are from', trim(result%film_error_basis))
+      call list%add('film_error_basis', 'basis of the errors of film and friction', trim(result%film_error_basis))
       call list%add('film_order', 'observed order of central_film on three levels', result%film_order)
       call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error, &
                     error_of='Ad/Ai')
-      call list%add('amplitude_error_basis', 'what amplitude_ratio_error is from', &
+      call list%add('amplitude_error_basis', 'basis of amplitude_ratio_error', &
                     trim(result%amplitude_error_basis))
       call add_parts(list, 'film', 'H(0,0)', result%film_errors)
       call add_parts(list, 'ratio', 'Ad/Ai', result%ratio_errors)
-      call list%add('error_estimate', 'sum of the parts of the error of Ad/Ai, of two surfaces of the worse one, '// &
-                    'of smooth contacts of H(0,0): what accuracy is about', result%error_estimate, &
+      call list%add('error_estimate', 'sum of the parts of the error of Ad/Ai, the larger of two surfaces, '// &
+                    'or of H(0,0) of a smooth contact; compared with accuracy', result%error_estimate, &
                     error_of=trim(merge('Ad/Ai ', 'H(0,0)', case%has_ratio())))
       call list%add('refinements', 'runs on finer grids than the first, for an accuracy', result%refinements)
-      call list%add('validity', 'what the result holds for: edges, linear range, warnings', &
+      call list%add('validity', 'range of validity: edges, linear range, warnings', &
                     validity_text(case, plan, result%warning))
       call add_response(list, result%harmonic, '', .true.)
       call add_pair(list, case%is_pair(), result%pair)
@@ -91,15 +91,15 @@ contains
       integer :: k
       call list%add(of//'_error_mesh', 'relative error of '//what//' by the mesh', parts%mesh)
       do k = 1, effect_count
-         if (error_name(k) /= '') call list%add(of//'_error_'//error_name(k), 'the same by '//error_help(k), &
+         if (error_name(k) /= '') call list%add(of//'_error_'//error_name(k), 'part by '//error_help(k), &
                                                 parts%by_effect(k))
       end do
-      call list%add(of//'_error_domain', 'the same by the edges of the domain', parts%domain)
-      call list%add(of//'_error_time', 'the same by steps longer than hX', parts%time)
-      call list%add(of//'_error_amplitude', 'the same by the size of the waves, which respond unlike small ones', &
+      call list%add(of//'_error_domain', 'part by the edges of the domain', parts%domain)
+      call list%add(of//'_error_time', 'part by steps longer than hX', parts%time)
+      call list%add(of//'_error_amplitude', 'part by the size of the waves, which respond unlike small waves', &
          parts%amplitude)
-      call list%add(of//'_error_settling', 'the same by what still changes from period to period', parts%settling)
-      call list%add(of//'_error_algebraic', 'the same by the tolerances', parts%algebraic)
+      call list%add(of//'_error_settling', 'part by changes from period to period', parts%settling)
+      call list%add(of//'_error_algebraic', 'part by the tolerances', parts%algebraic)
    end subroutine add_parts
 
    subroutine add_smooth_film(list, plan, result)
@@ -152,7 +152,7 @@ contains
       end associate
       call add_rolling(list, plan%conditions, result%rolling)
       call add_heat(list, case, plan, result%heat)
-      call list%add('warning', 'what the model leaves out and matters here', result%warning)
+      call list%add('warning', 'relevant effect that the model lacks', result%warning)
    end subroutine add_shear
 
    !> Resistance to rolling.
@@ -215,7 +215,7 @@ contains
             heat%into_body_w(i), unit=trim(watt), exists=is_warm)
       end do
       call list%add('heat_of_shear', 'power dissipated by shear', heat%sheared_w, unit=trim(watt), exists=is_warm)
-      call list%add('heat_of_compression', 'heat of compression less that of expansion', heat%compressed_w, &
+      call list%add('heat_of_compression', 'heat of compression less heat of expansion', heat%compressed_w, &
          unit=trim(watt), exists=is_warm)
       call list%add('heat_carried_by_oil', 'heat that the oil carries out of the film under pressure', heat%carried_w, &
          unit=trim(watt), exists=is_warm)
@@ -225,8 +225,8 @@ contains
          exists=is_warm)
       call list%add('frozen_heat_error', 'estimated error of Ad/Ai over Ai by temperatures that stay as waves '// &
          'pass; part of no other error', heat%frozen_error, exists=is_warm .and. case%is_wavy())
-      call list%add('wave_temperatures', "temperatures as waves pass: 'frozen', those of the smooth contact; "// &
-         "'carried', in marches those of the oil in time", trim(merge(case%heat%wave_temperatures, &
+      call list%add('wave_temperatures', "temperatures as waves pass: 'frozen' at the smooth contact, or "// &
+         "'carried', computed for the oil in time in marches", trim(merge(case%heat%wave_temperatures, &
          repeat(' ', len(case%heat%wave_temperatures)), is_warm .and. case%is_wavy())), &
          exists=is_warm .and. case%is_wavy())
    end subroutine add_heat

@@ -42,7 +42,7 @@ module ehlwave_starvation_result
       real(dp) :: film_over_flooded_error = no_value   !! estimated relative discretisation error, from grids
       real(dp) :: short_edge = 0                     !! error of the film, relative, by an inlet edge that the full gap
                                                      !! reaches
-      real(dp) :: solve_over_flooded = no_value      !! counted work of the starved solve over that of the flooded one
+      real(dp) :: solve_over_flooded = no_value      !! counted work of the starved solve over the flooded solve
       type(oil_passage_t) :: passage                 !! of the smooth contact
       real(dp), allocatable :: content(:, :)         !! theta of the last solution, if fields are kept
    contains
@@ -220,7 +220,7 @@ contains
                     self%film_over_flooded_error, exists=is_short, error_of='film over flooded R')
       call list%add('flooded_central_film', 'H(0,0) of the flooded contact with the same domain and edges', &
                     self%flooded_film, exists=is_short)
-      call list%add('oil_offered', 'r at Y = 0, oil offered over what the flooded contact passes', &
+      call list%add('oil_offered', 'r at Y = 0, oil offered over the flow of the flooded contact', &
                     self%oil_over_flooded, exists=is_short)
       call list%add('mass_balance_error', 'oil lost or gained over oil that enters', self%passage%balance_error, &
                     exists=is_short)
@@ -228,7 +228,7 @@ contains
                     exists=is_short)
       call list%add('meniscus_x', 'X at Y = 0 from which on the gap is full', self%passage%meniscus_x, &
                     exists=is_short)
-      call list%add('starved_over_flooded_work', 'counted work of the starved solve over that of the flooded one', &
+      call list%add('starved_over_flooded_work', 'counted work of the starved solve over the flooded solve', &
                     self%solve_over_flooded, exists=is_short)
    end subroutine add_quantities
 
