@@ -32,7 +32,8 @@ module ehlwave_accuracy_model
    !> Factor of the inverse fourth power of the steps per wave in place of `step_by_waves`, for a fitted scheme, whose
    !> difference along the characteristic has one order more. Measured: 0.8 to 2.2 (M = 100, D = 1, 0.25 and 0.5 a).
    real(dp), parameter :: fitted_step_by_waves = 2
-   !> Growth of the first share with slip, |S - 1|. Measured at S = 0.5 and 1.5 (M = 100, D = 1, 0.7 a): up to 3.5 times.
+   !> Growth of the part by the inlet with |S - 1|. Measured at S = 0.5 and 1.5 (M = 100, D = 1, 0.7 a): up to
+   !> 3.5 times.
    real(dp), parameter :: step_by_slip = 4
    real(dp), parameter :: step_tolerance_factor = 1.26_dp  !! model 'step_tolerance': four of five runs are below
    real(dp), parameter :: steady_cost(3) = [66.7_dp, -0.265_dp, 0.0870_dp]   !! model 'steady_cost'
@@ -86,8 +87,8 @@ contains
       expected_step_error = step_tolerance_factor*step_tolerance
    end function expected_step_error
 
-   !> Relative error of Ad/Ai by steps of dT = m hX with m above 1, theory eq. (D14): waves pass the inlet as on a mesh of
-   !> m hX, and are carried along in steps of finite order.
+   !> Relative error of Ad/Ai by steps of dT = m hX with m above 1, theory eq. (E8): waves pass the inlet as on a mesh
+   !> of m hX, and are carried along in steps of finite order.
    pure real(dp) function expected_long_step_error(conditions, formula_ratio, hx, cells_per_step, samples, is_fitted) &
       result(error)
       type(conditions_t), intent(in) :: conditions

@@ -25,8 +25,8 @@ module ehlwave_grid_choice
    end type pattern_t
 
    !> Products of 2, 3, 5 and 7 that can be halved four times: transforms and multigrid are fast on them.
-   integer, parameter :: sizes(25) = [64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512, 640, 768, 896, 1024, &
-      1280, 1536, 2048, 2560, 3072, 4096, 6144, 8192]
+   integer, parameter :: sizes(25) = [64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512, 640, 768, 896, &
+      1024, 1280, 1536, 2048, 2560, 3072, 4096, 6144, 8192]
    ! Shares of the accuracy: mesh in X, waves along Y.
    real(dp), parameter :: slip_without_formula = 0.5_dp   !! |S - 1| from which the formula for pure rolling tells
                                                           !! nothing
@@ -175,8 +175,10 @@ contains
       !> Error by the time steps on a mesh.
       pure real(dp) function by_steps(hx)
          real(dp), intent(in) :: hx
-         by_steps = expected_long_step_error(conditions, ratio, hx*sqrt(steepness/merge(fitted_share, 1.0_dp, is_fitted)), &
-            cells_per_step, 1/(max(pattern%waves, tiny(1.0_dp))*cells_per_step*hx), is_fitted)
+         real(dp) :: by_oil      ! steepness
+         by_oil = steepness/merge(fitted_share, 1.0_dp, is_fitted)
+         by_steps = expected_long_step_error(conditions, ratio, hx*sqrt(by_oil), cells_per_step, &
+                                             1/(max(pattern%waves, tiny(1.0_dp))*cells_per_step*hx), is_fitted)
       end function by_steps
 
    end function accurate_mesh

@@ -16,8 +16,8 @@ module ehlwave_plan_effort
    !> at which it does is finished.
    real(dp), parameter, public :: most_work = 10
    real(dp), parameter :: share_of_most = 0.8_dp
-   real(dp), parameter :: estimate_cost = 0.15_dp    !! of the coarser grids of a case, whose steps are dT = hX, over that
-                                                     !! of a march with such steps
+   real(dp), parameter :: estimate_cost = 0.15_dp    !! of the coarser grids of a case, whose steps are dT = hX, over
+                                                     !! that of a march with such steps
    real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain and the change of the
                                                      !! mean; measured: 35 to 80
    real(dp), parameter :: line_response_work_units = 250   !! the same of a line contact

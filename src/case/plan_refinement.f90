@@ -71,9 +71,9 @@ contains
       is_finer = .true.
    end subroutine refine_plan
 
-   !> Work to expect of a finer plan, by its model and by the work that the plan before has taken. Measured in marches (128
-   !> to 384 cells along X): their work grows with the power 3.4 to 3.6 of the cells, 1.3 times as much for twice the cells
-   !> as the model has.
+   !> Work to expect of a finer plan, by its model and by the work that the plan before has taken. Measured in marches
+   !> (128 to 384 cells along X): their work grows with the power 3.4 to 3.6 of the cells, which for twice the cells is
+   !> 1.3 times the model.
    real(dp) function expected_work(plan, finer, work_taken)
       type(case_plan_t), intent(in) :: plan, finer
       real(dp), intent(in) :: work_taken             !! by the run of `plan`, operations

@@ -20,15 +20,15 @@ module ehlwave_scheme_choice
    ! Of 14 random contacts with Ree-Eyring oils (M = 300 to 3500, S = 0.5 to 1.6) 11 take it, and all are within 0.01.
    real(dp), parameter :: most_averaged = 256      !! cells along X, up to which the averaged scheme is taken
    real(dp), parameter :: largest_share = 0.5_dp   !! of them that the fitted scheme may take
-   ! Work of a march relative to that of the averaged scheme with dT = hX on the same cells. Measured (12 contacts, M = 20
-   ! to 1000, 0.25 to 2 a, 64 to 192 cells along X): 1.1 to 1.2 for the fitted scheme, 0.51 to 0.75 for dT = 2 hX.
+   ! Work of a march relative to that of the averaged scheme with dT = hX on the same cells. Measured (12 contacts, M =
+   ! 20 to 1000, 0.25 to 2 a, 64 to 192 cells along X): 1.1 to 1.2 for the fitted scheme, 0.51 to 0.75 for dT = 2 hX.
    real(dp), parameter, public :: fitted_work = 1.15_dp, long_step_work = 0.62_dp
    integer, parameter, public :: longest_step = 2          !! cells: longer steps of equal error save nothing
 
 contains
 
    !> The scheme of a case that leaves the choice: fitted where an accuracy is asked for that it reaches with clearly
-   !> fewer cells, in marches with less work. What has truncated edges keeps the averaged scheme, as the results that are there.
+   !> fewer cells, in marches with less work. Cases with truncated edges keep the averaged scheme.
    subroutine choose_scheme(case, conditions)
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(in) :: conditions
@@ -68,8 +68,8 @@ contains
       end if
    end function least_work_step
 
-   !> Whether a march may take steps longer than hX. The linear response has the frequency of steps of one cell, and line
-   !> contacts lose up to 60 per cent of Ad/Ai with steps of two (M = 200, L = 10, 128 cells).
+   !> Whether a march may take steps longer than hX. The linear response has the frequency of steps of one cell, and
+   !> line contacts lose up to 60 per cent of Ad/Ai with steps of two (M = 200, L = 10, 128 cells).
    logical function takes_long_steps(case)
       type(case_t), intent(in) :: case
       takes_long_steps = case%moves() .and. case%response == 'transient' .and. case%load_balance == 'force_balance' &
@@ -106,7 +106,8 @@ contains
       thinning = new_thinning(case_lubricant(case, conditions), conditions, case%oil%flow_exponent())
       pattern%has_ratio = case%has_ratio()
       pattern%moves = case%moves()
-      pattern%slip = max(1.0_dp, conditions%slip_parameter, merge(2 - conditions%slip_parameter, 0.0_dp, case%is_pair()))
+      pattern%slip = max(1.0_dp, conditions%slip_parameter)
+      if (case%is_pair()) pattern%slip = max(pattern%slip, 2 - conditions%slip_parameter)
       pattern%waves = max(wave_number(case%roughness_t), wave_number(case%second))*pattern%slip
       mesh = accurate_mesh(case, conditions, pattern, thinning%steepness*merge(fitted_share, 1.0_dp, fitted), fitted, &
                            cells_per_step)

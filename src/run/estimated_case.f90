@@ -135,7 +135,7 @@ contains
       if (plan%is_fitted) coarse_case%scheme = 'fitted'
       coarse_case%accuracy = 0                    ! is that of the case itself
       if (case%response /= 'periodic') coarse_case%response = 'transient'   ! others have their own estimate
-      coarse_case%time_step_over_cell = 1.0_dp/plan%steps_per_cell   ! longer steps are a part of the error by themselves
+      coarse_case%time_step_over_cell = 1.0_dp/plan%steps_per_cell   ! long steps have a part of their own
       cells = [plan%cells_x, plan%cells_y]
       if (plan%conditions%is_line()) cells(2) = cells(1)
       do factor = 2, 4, 2

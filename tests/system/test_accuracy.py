@@ -77,17 +77,26 @@ class Accuracy(TestCase):
         steps = moving["time_steps"]*recorded["step_cost"][0]
         self.check_close(moving["expected_work_units"] - smooth["expected_work_units"], steps, 0.01, "cost of the march")
 
-    def test_marches_take_longer_steps(self):
-        """The fitted scheme and steps of two cells for long waves, unless keys say otherwise."""
-        for wavelength in [1, 2]:
-            groups = changed(WAVY, {"waviness": {"wavelength_over_a": wavelength}, "solver": {"accuracy": 0.01}})
-            plan, _ = self.plan(groups)
-            self.assertEqual(plan["scheme"], "fitted")
-            self.assertAlmostEqual(plan["time_step"]*plan["cells_x"]/4, 2)
-            fixed, _ = self.plan(changed(groups, {"solver": {"time_step_over_cell": 1, "scheme": "averaged"}}))
-            self.assertEqual((fixed["scheme"], fixed["time_step"]), ("averaged", 4/fixed["cells_x"]))
-            self.assertLess(5*plan["expected_total_work_units"]*plan["cells_x"]*plan["cells_y"],
-                            fixed["expected_total_work_units"]*fixed["cells_x"]*fixed["cells_y"])
+    def test_marches_take_the_least_work(self):
+        """The fitted scheme, and the time step that needs the least work; keys that are given stay."""
+        def work(plan):
+            return plan["expected_total_work_units"]*plan["cells_x"]*plan["cells_y"]*math.log2(4*plan["cells_x"]*plan["cells_y"])
+
+        taken = set()
+        for wavelength, accuracy in [(0.5, 0.005), (0.5, 0.01), (2, 0.01)]:
+            with self.subTest(wavelength=wavelength, accuracy=accuracy):
+                groups = changed(WAVY, {"waviness": {"wavelength_over_a": wavelength}, "solver": {"accuracy": accuracy}})
+                plan, _ = self.plan(groups)
+                self.assertEqual(plan["scheme"], "fitted")
+                step = round(plan["time_step"]*plan["cells_x"]/4)
+                taken.add(step)
+                other, _ = self.plan(changed(groups, {"solver": {"time_step_over_cell": 3 - step}}))
+                self.assertAlmostEqual(other["time_step"]*other["cells_x"]/4, 3 - step)
+                self.assertLess(work(plan), 1.2*work(other))
+                averaged, _ = self.plan(changed(groups, {"solver": {"scheme": "averaged"}}))
+                self.assertEqual(averaged["scheme"], "averaged")
+                self.assertLess(2*work(plan), work(averaged))
+        self.assertEqual(taken, {1, 2})
 
     def test_keys_that_are_given_stay(self):
         groups = changed(WAVY, {"solver": {"accuracy": 0.05, "step_tolerance": 1e-5, "tolerance": 1e-9},
