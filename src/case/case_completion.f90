@@ -1,7 +1,6 @@
-!> Completes the input of one case: fills in keys that follow from others, and refuses contradictions.
+!> Completes the input of a case: fills in keys that follow from others, and refuses contradictions.
 module ehlwave_case_completion
    use ehlwave_case_definition, only: case_t, largest_line_cells, usual_largest_cells
-   use ehlwave_case_heat, only: check_heat, heat_of_oil
    use ehlwave_case_lubricant, only: check_lubricant, pressure_viscosity
    use ehlwave_conditions, only: conditions_from_dimensional, conditions_from_moes, conditions_t
    use ehlwave_effects_plan, only: effects_plan_t
@@ -30,7 +29,7 @@ contains
 
       if (allocated(error)) return
       call case_conditions(case, conditions, error)
-      call check_heat(case, error)
+      if (.not. allocated(error)) call effects%check_data(case, error)
       if (.not. allocated(error) .and. conditions%is_line()) call complete_line(case, error)
       if (case%largest_cells == 0) case%largest_cells = usual_largest_cells
       if (.not. allocated(error)) call complete_roughness(case, error)
@@ -80,9 +79,10 @@ contains
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(out) :: conditions
       type(error_t), allocatable, intent(inout) :: error
+      type(effects_plan_t) :: effects
       real(dp) :: alpha_per_pa
 
-      call heat_of_oil(case)
+      call effects%complete(case)
       call check_lubricant(case, error)
       if (allocated(error)) return
       alpha_per_pa = pressure_viscosity(case)

@@ -1,5 +1,5 @@
 !> The table of quantities: input, plan and result of a case. JSON, stores and HDF5 files follow from it, so a new
-!> quantity is one entry here and the code that computes it.
+!> quantity needs an entry here and the code that computes it.
 !>
 !> An entry has a name, a long name and the value. It has a unit where the number is not dimensionless, and `exists`
 !> where only some cases have it. `add_key` takes the description of a quantity that is also a key from its table.
@@ -8,11 +8,11 @@ module ehlwave_quantities
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_effect_result, only: after_film, after_friction
    use ehlwave_effects_keys, only: effect_count
    use ehlwave_effects_plan, only: error_help, error_name
    use ehlwave_error_account, only: validity_text
    use ehlwave_error_parts, only: error_parts_t
-   use ehlwave_heat_result, only: heat_result_t
    use ehlwave_input_quantities, only: add_case, add_formulas, add_lengths
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
@@ -41,7 +41,7 @@ contains
       call add_case(list, case, plan)
       call list%add('is_resolved', '1 when the grid resolves the case', result%is_resolved)
       call add_smooth_film(list, plan, result)
-      call result%effects%add_quantities(list, plan)
+      call result%effects%add_quantities(after_film, list, case, plan)
       call add_shear(list, case, plan, result)
       call list%add('load_error', 'largest load error of the solutions', result%load_error)
       call list%add('residual', 'largest mass residual of the solutions', result%residual)
@@ -129,7 +129,7 @@ contains
       type(case_result_t), intent(in) :: result
       logical :: is_estimated   !! the temperature rise, which &heat computes
 
-      is_estimated = plan%conditions%has_dimensions .and. .not. case%heat%is_given()
+      is_estimated = plan%conditions%has_dimensions .and. .not. case%effects%are_warm()
       associate (r => result%shear)
          call list%add('friction_coefficient', 'friction of the smooth contact over the load, within the domain, '// &
                        'mean of both surfaces', r%friction_coefficient)
@@ -151,7 +151,7 @@ contains
             r%contact_rise_k, unit='K', exists=is_estimated)
       end associate
       call add_rolling(list, plan%conditions, result%rolling)
-      call add_heat(list, case, plan, result%heat)
+      call result%effects%add_quantities(after_friction, list, case, plan)
       call list%add('warning', 'relevant effect that the model lacks', result%warning)
    end subroutine add_shear
 
@@ -182,54 +182,6 @@ contains
          call list%add('rolling_resistance_outside', 'share of them by oil outside the domain', rolling%share_outside)
       end associate
    end subroutine add_rolling
-
-   !> Temperatures and heat, where they are found.
-   subroutine add_heat(list, case, plan, heat)
-      type(quantity_list_t), intent(inout) :: list
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      type(heat_result_t), intent(in) :: heat
-      character(len=3) :: watt
-      character(len=1) :: wall
-      logical :: is_warm
-      integer :: i
-
-      is_warm = case%heat%is_given()
-      watt = merge('W/m', 'W  ', plan%conditions%is_line())
-      call list%add('isothermal_friction_coefficient', 'friction_coefficient without heat', heat%isothermal_friction, &
-         exists=is_warm)
-      call list%add('isothermal_central_film', 'central_film without heat', heat%isothermal_film, exists=is_warm)
-      call list%add('largest_rise_mid_film_k', 'largest rise of the temperature half-way across the film', &
-         heat%largest_mid_k, unit='K', exists=is_warm)
-      call list%add('central_rise_mid_film_k', 'the same at the contact centre', heat%centre_mid_k, unit='K', &
-         exists=is_warm)
-      call list%add('largest_rise_mean_k', 'largest rise of the mean temperature across the film', &
-         heat%largest_mean_k, unit='K', exists=is_warm)
-      do i = 1, 2
-         wall = merge('1', '2', i == 1)
-         call list%add('largest_rise_wall_'//wall//'_k', 'largest rise of the temperature of surface '//wall, &
-            heat%largest_wall_k(i), unit='K', exists=is_warm)
-         call list%add('central_rise_wall_'//wall//'_k', 'the same at the contact centre', heat%centre_wall_k(i), &
-            unit='K', exists=is_warm)
-         call list%add('heat_into_body_'//wall, 'heat that flows into body '//wall//' under pressure', &
-            heat%into_body_w(i), unit=trim(watt), exists=is_warm)
-      end do
-      call list%add('heat_of_shear', 'power dissipated by shear', heat%sheared_w, unit=trim(watt), exists=is_warm)
-      call list%add('heat_of_compression', 'heat of compression less heat of expansion', heat%compressed_w, &
-         unit=trim(watt), exists=is_warm)
-      call list%add('heat_carried_by_oil', 'heat that the oil carries out of the film under pressure', heat%carried_w, &
-         unit=trim(watt), exists=is_warm)
-      call list%add('heat_levels_error', 'error of film and friction by the levels across the film, part of theirs', &
-         heat%levels_error, exists=is_warm)
-      call list%add('heat_balance_error', 'heat that is missing over the largest part', heat%balance_error, &
-         exists=is_warm)
-      call list%add('frozen_heat_error', 'estimated error of Ad/Ai over Ai by temperatures that stay as waves '// &
-         'pass; part of no other error', heat%frozen_error, exists=is_warm .and. case%is_wavy())
-      call list%add('wave_temperatures', "temperatures as waves pass: 'frozen' at the smooth contact, or "// &
-         "'carried', computed for the oil in time in marches", trim(merge(case%heat%wave_temperatures, &
-         repeat(' ', len(case%heat%wave_temperatures)), is_warm .and. case%is_wavy())), &
-         exists=is_warm .and. case%is_wavy())
-   end subroutine add_heat
 
    subroutine add_effort(list, result)
       type(quantity_list_t), intent(inout) :: list

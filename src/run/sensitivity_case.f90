@@ -161,7 +161,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(shared_steady_t), intent(inout) :: steady         !! with the derivatives of its state
-      type(harmonic_response_t), intent(in) :: response      !! its last one, converged
+      type(harmonic_response_t), intent(in) :: response      !! its last state, converged
       type(case_result_t), intent(inout) :: result
       type(contact_variable_t), allocatable :: variables(:)
       type(harmonic_response_t) :: derivative
