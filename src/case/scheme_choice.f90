@@ -73,7 +73,7 @@ contains
    logical function takes_long_steps(case)
       type(case_t), intent(in) :: case
       takes_long_steps = case%moves() .and. case%response == 'transient' .and. case%load_balance == 'force_balance' &
-         .and. case%radius_ratio_d > 0 .and. .not. (case%effects%refuse(by_long_steps) .or. case%heat%follows_waves())
+         .and. case%radius_ratio_d > 0 .and. .not. case%effects%refuse(by_long_steps)
    end function takes_long_steps
 
    !> Relative work of a march: that of its nodes and steps.
