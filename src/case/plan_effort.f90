@@ -26,10 +26,11 @@ module ehlwave_plan_effort
                                                      !! to 2.2
    real(dp), parameter :: periodic_share = 0.4_dp    !! of a march that starts in the waves, of one from rest; measured:
                                                      !! 0.2 to 0.6
-   !> Of an oil with a limit of its stress; measured: 2 to 20, and 65 by FAS, whose every sweep finds the stresses anew.
+   !> Cost factor for an oil with a limiting shear stress; measured: 2 to 20, and 65 by FAS, whose every sweep finds the
+   !> stresses anew.
    real(dp), parameter :: limit_cost = 6, fas_limit_cost = 30
-   !> Of the fitted scheme, steady states and responses; measured (64 to 768 cells, M = 100 to 10,000): 0.9 to 4 and 0.8
-   !> to 1.7.
+   !> Cost factor of the fitted scheme, steady states and responses; measured (64 to 768 cells, M = 100 to 10,000): 0.9
+   !> to 4 and 0.8 to 1.7.
    real(dp), parameter :: fitted_cost = 2, fitted_response_cost = 1.2_dp
 
 contains

@@ -46,7 +46,7 @@ contains
       averaged_cells = cells(case, conditions, .false.)
    end function averaged_cells
 
-   !> The same with either scheme.
+   !> Cells with either scheme.
    real(dp) function cells(case, conditions, fitted)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
