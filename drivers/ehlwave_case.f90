@@ -121,7 +121,7 @@ program ehlwave_case
 
 contains
 
-   !> The last line: the quantities as JSON where they are asked for, else what computed them.
+   !> Last line: the quantities as JSON if requested, else the provenance of the program.
    subroutine conclude(code)
       integer, intent(in) :: code
       if (arguments%has('--json')) then
@@ -131,7 +131,7 @@ contains
       end if
    end subroutine conclude
 
-   !> Print the last line and end, with status 3 if what was printed could not be written.
+   !> Print the last line and end, with status 3 if the output could not be written.
    subroutine finish(line, code)
       character(len=*), intent(in) :: line
       integer, intent(in) :: code

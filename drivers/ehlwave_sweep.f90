@@ -103,8 +103,8 @@ program ehlwave_sweep
 
 contains
 
-   !> The help and version of the program: without starting MPI, which some machines refuse outside a job. Of many
-   !> processes the one says it that launchers call the first.
+   !> The help and version of the program: without starting MPI, which some machines refuse outside a job. Among
+   !> many processes the first of the launcher prints it.
    subroutine answer()
       character(len=*), parameter :: rank_variables(4) = [character(len=20) :: 'OMPI_COMM_WORLD_RANK', 'PMIX_RANK', &
                                                           'PMI_RANK', 'SLURM_PROCID']
@@ -149,7 +149,7 @@ contains
       call conclude(status)
    end subroutine show_status
 
-   !> End with what told a plan or a status as the last line; all ranks alike.
+   !> Print the result of a plan or a status as the last line and end, alike on all ranks.
    subroutine conclude(status)
       integer, intent(in) :: status
       logical :: is_written

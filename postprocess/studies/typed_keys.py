@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from ehlwave.cases.keys import key_table
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
-from ehlwave.driver import key_table
 from ehlwave.writing import Writer
 
 PLACE = Path(__file__).parents[1] / "src" / "ehlwave" / "inputs" / "keys.py"
@@ -51,14 +51,14 @@ OF_SWEEPS = {
 
 
 def module(keys: Sequence[dict[str, Any]]) -> str:
-    """Return the text of the module, from the rows of :func:`ehlwave.driver.key_table`."""
+    """Return the text of the module, from the rows of :func:`ehlwave.cases.keys.key_table`."""
     known = {key["name"]: key for key in keys}
     contact = {name: known.get(name, {"kind": "number"}) for name in KNOWN_KEYS}
-    parts = [HEADER, CLASS.format(name="CaseKeys", base="TypedDict", text="Of one case.")]
+    parts = [HEADER, CLASS.format(name="CaseKeys", base="TypedDict", text="Keys of a case.")]
     parts += [_member(name, key) for name, key in known.items()]
     parts.append(CLASS.format(name="StudyKeys", base="CaseKeys", text="Shared by all of a study."))
     parts += [f"    {name}: {kind}\n" for name, kind in OF_SWEEPS.items()]
-    text = "Of :class:`ehlwave.Contact`."
+    text = "Keys of :class:`ehlwave.Contact`."
     parts.append(CLASS.format(name="ContactKeys", base="TypedDict", text=text))
     parts += [_member(name, key) for name, key in contact.items()]
     parts.append("\n\nGROUP_OF = {\n")

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 import ehlwave
+from ehlwave.cases.keys import key_groups
 from ehlwave.cli import main
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import read_given
-from ehlwave.driver import key_groups
 from ehlwave.errors import ProgramError, RangeError
 from ehlwave.laws.computed_film import computed_film
 from ehlwave.laws.computed_transfer import ComputedTransfer

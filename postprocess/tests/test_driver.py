@@ -9,7 +9,7 @@ import pytest
 import xarray as xr
 
 import ehlwave
-from ehlwave.driver import key_table
+from ehlwave.cases.keys import key_table
 from ehlwave.inputs.namelist import scan_namelist
 from ehlwave.inputs.namelist_values import plain
 from ehlwave.programs.programs import find_program, namelist

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import ehlwave
+from ehlwave.cases.keys import key_table
 from ehlwave.cli import main
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.contact.conditions_read import Given, read_conditions, read_given
@@ -19,7 +20,6 @@ from ehlwave.contact.file_keys import (
     USED,
     is_classified,
 )
-from ehlwave.driver import key_table
 from ehlwave.errors import ProgramError, RangeError, SurfaceError
 from ehlwave.operating_point import contact_of
 from ehlwave.programs.programs import namelist

@@ -12,8 +12,8 @@ import pytest
 from contact import BALL
 
 import ehlwave
+from ehlwave import Case, Study
 from ehlwave.contact import Oil
-from ehlwave.driver import Case, Study
 from ehlwave.surface import (
     FormulaTransfer,
     Mover,

@@ -8,8 +8,8 @@ import pytest
 from contact import BALL
 
 import ehlwave
+from ehlwave.cases.keys import key_table
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
-from ehlwave.driver import key_table
 from ehlwave.errors import SurfaceError
 from ehlwave.quantities import PLAUSIBLE, number, plain, unit_of
 

@@ -5,8 +5,9 @@ import pandas as pd
 import pytest
 from synthetic import Columns, make_columns, write_results
 
+from ehlwave import Case
+from ehlwave.cases.keys import key_groups
 from ehlwave.cli import main
-from ehlwave.driver import Case, key_groups
 from ehlwave.errors import ProgramError, SurfaceError
 from ehlwave.inputs.effective_input import keys_of_input
 from ehlwave.inputs.namelist import scan_namelist

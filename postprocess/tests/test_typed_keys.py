@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 import ehlwave
+from ehlwave.cases.keys import key_table
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
-from ehlwave.driver import key_table
 from ehlwave.inputs.keys import CaseKeys, ContactKeys, StudyKeys
 from ehlwave.programs.programs import find_program
 from studies import typed_keys

@@ -17,7 +17,7 @@ from ehlwave.choices import AXES, DECIMALS, FORMS, LAWS, RATIO_COLUMNS, WINDOWS
 from ehlwave.cli import main
 from ehlwave.contact.alpha_estimates import ESTIMATES, GOLD
 from ehlwave.contact.measured_oils import MEASURED
-from ehlwave.hints import MANUAL, PAGES
+from ehlwave.errors import MANUAL, PAGES
 from ehlwave.programs.programs import find_program
 from ehlwave.results.schema import EDGES
 from ehlwave.surface.units import CHOICES as CHOICES_OF_UNITS

@@ -11,8 +11,8 @@ module ehlwave_conditions
    real(dp), parameter, public :: smallest_radius_ratio = 0.005_dp
    real(dp), parameter :: round_off = 1e-12_dp        ! relative: D of equal radii is 1 but for it
    real(dp), parameter :: largest_alphabar = 500      ! viscosity grows by exp(alphabar) under Barus' law
-   !> gamma M of a slender elliptical contact over that of a line contact with the same alphabar and L: (2/3) pi^3/(2
-   !> pi)^(3/2)
+   !> Ratio of gamma M between a slender elliptical contact and a line contact with the same alphabar and L: (2/3)
+   !> pi^3/(2 pi)^(3/2)
    real(dp), parameter :: slender_over_line = 2*pi**3/(3*(2*pi)**1.5_dp)
 
    !> Dimensional data of a contact, SI units.
@@ -41,7 +41,7 @@ module ehlwave_conditions
       real(dp) :: hertz_pressure_pa = 0             !! ph, Pa
       logical :: has_dimensions = .false.           !! whether the lengths below are known
       real(dp) :: a_m = 0, b_m = 0, c_m = 0         !! Hertz semi-axes and approach, m; b of a line contact stays 0
-      type(contact_data_t) :: data                  !! set when has_dimensions; E' also where it is known besides M, L
+      type(contact_data_t) :: data                  !! set when has_dimensions; E' also where given besides M, L
                                                     !! and D
    contains
       procedure :: is_line
@@ -57,8 +57,8 @@ contains
       is_line = .not. self%d > 0
    end function is_line
 
-   !> gamma M, by which the inlet is steep; of a line contact that of slender contacts with the same alphabar and L,
-   !> which have the same inlet.
+   !> gamma M, the steepness of the inlet. A line contact takes it from slender contacts with the same alphabar and
+   !> L, whose inlet is the same.
    pure real(dp) function steepness(self)
       class(conditions_t), intent(in) :: self
       steepness = self%gamma*self%m
@@ -153,9 +153,10 @@ contains
    !>     alphabar = L (M/(2 pi))^(1/2),  lambdabar = 6 us eta0 a/(c^2 ph) = 3 pi^2/(2 M^2),  (h/Rx)(2U)^(-1/2) = 4 M
    !>     H/pi.
    !>
-   !> With gamma = M^(1/2) the wave parameter is that of line contacts, V = (lambda/a)(gamma M/L)^(1/2) =
+   !> With gamma = M^(1/2) the wave parameter equals the line-contact parameter, V = (lambda/a)(gamma M/L)^(1/2) =
    !> (lambda/a) M^(3/4) L^(-1/2) = (2 pi)^(3/4) (lambda/a) alphabar^(3/2) L^(-2). The limit of gamma M for slender
-   !> contacts with the same alphabar and L is 1.31 times as large (`slender_over_line`), that of V 1.15 times.
+   !> contacts with the same alphabar and L is 1.31 times as large (`slender_over_line`), and the limit of V 1.15
+   !> times.
    pure subroutine set_line(self)
       type(conditions_t), intent(inout) :: self   !! M and L are set
       self%elliptic = line_integrals()
@@ -166,8 +167,8 @@ contains
       self%moes_film_factor = 4*self%m/pi
    end subroutine set_line
 
-   !> Conditions from dimensional data, theory eq. (2) and (20); of a line contact, which is given by a load per length,
-   !> those of `set_line`.
+   !> Conditions from dimensional data, theory eq. (2) and (20). Line contacts, given by a load per length, use
+   !> `set_line`.
    !>
    !> Fails when a value is missing or not positive, naming its key, when there are two loads, or when D = Rx/Ry is out
    !> of range.

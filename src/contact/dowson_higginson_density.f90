@@ -13,8 +13,8 @@ module ehlwave_dowson_higginson_density
       procedure :: evaluate
    end type dowson_higginson_density_t
 
-   real(dp), parameter :: modulus_pa = 5.9e8_dp     ! of the law
-   real(dp), parameter :: largest_gain = 0.34_dp    ! of density, at infinite pressure
+   real(dp), parameter :: modulus_pa = 5.9e8_dp     ! constant of the law
+   real(dp), parameter :: largest_gain = 0.34_dp    ! relative rise of density at infinite pressure
 
 contains
 

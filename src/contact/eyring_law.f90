@@ -24,8 +24,8 @@ module ehlwave_eyring_law
 
 contains
 
-   !> Power series up to |sigma|^2 = 1/4, and what the closed form adds beyond: no branches within a loop, so that exp
-   !> is vectorised, but most blocks of places need one of the two only.
+   !> Power series up to |sigma|^2 = 1/4, and the remainder of the closed form beyond. The loop has no branches, so
+   !> that exp is vectorised. Most blocks need only one of the two.
    pure subroutine shear_factor(self, n, stress2, s, slope)
       class(eyring_law_t), intent(in) :: self
       integer, intent(in) :: n

@@ -6,14 +6,14 @@
 !>     P = lambdabar/(3 + 2 D) |X|/H^2,    X < 0,                                                             (F1)
 !>
 !> whatever h is, side leakage included. The bodies of a contact are flattened, and the gap opens faster beyond an edge
-!> than that of a paraboloid with the same film there, so (F1) is too large: the far field is R(r) times it, r the
+!> than the gap of a paraboloid with the same film there, so (F1) is too large: the far field is R(r) times it, r the
 !> distance from the centre in units of a. On the axis Y = 0, g = P there, with the side leakage of (F1),
 !>
 !>     d/dr (H^3 dg/dr) + D H^3 d(g/r)/dr = -lambdabar dH/dr,                                                  (F2)
 !>
 !> exact for D = 1, where P = g(r) |X|/r, and for line contacts. H is the gap of Hertz and the film of the formula. It
-!> is solved from r = 1, where the reduced pressure is that of Grubin, 1/alphabar, which hardly matters at r = 2,
-!> outwards. The far field is one of the reduced pressure q = int dP/eta; q = P where the oil does not thicken.
+!> is solved from r = 1, where the reduced pressure has Grubin's value, 1/alphabar, which hardly matters at r = 2,
+!> outwards. The far field gives the reduced pressure q = int dP/eta; q = P where the oil does not thicken.
 module ehlwave_far_field
    use ehlwave_conditions, only: conditions_t
    use ehlwave_formula, only: expected_film
@@ -24,7 +24,7 @@ module ehlwave_far_field
    private
    public :: new_far_field, rigid_strength, hertz_gap
 
-   integer, parameter :: intervals = 256        !! of (F2), in ln r
+   integer, parameter :: intervals = 256        !! intervals of (F2), in ln r
    real(dp), parameter :: farthest = 60         !! r where (F1) holds
    !> Makes the pressure at r = 1 a quarter of ph where the oil does not thicken.
    real(dp), parameter, public :: rising_exponent = 4
@@ -96,7 +96,7 @@ contains
       rigid_strength = conditions%lambdabar*max(0.0_dp, -x)/(3 + 2*conditions%d)
    end function rigid_strength
 
-   !> q H^2 at a place: that of (F1) times R.
+   !> q H^2 at a place: the value of (F1) times R.
    elemental real(dp) function strength(self, x, y)
       class(far_field_t), intent(in) :: self
       real(dp), intent(in) :: x, y   !! X, Y
@@ -119,18 +119,18 @@ contains
       film_at = hertz_gap(self%conditions, x, y, self%rule) + self%film
    end function film_at
 
-   !> Load over the nominal one that the far field bears beyond the inlet edge and the sides of a domain, (F6).
+   !> Load beyond the inlet edge and the sides of a domain that the far field bears, over the nominal load, (F6).
    pure real(dp) function load_outside(self, x_min, y_max) result(load)
       class(far_field_t), intent(in) :: self
-      real(dp), intent(in) :: x_min, y_max   !! as those of `outside`
+      real(dp), intent(in) :: x_min, y_max   !! as in `outside`
       real(dp), allocatable, dimension(:) :: area, x, y
       integer :: n
       call self%outside(x_min, y_max, x, y, area)
       load = load_factor*sum([(area(n)*self%strength(x(n), y(n))/self%film_at(x(n), y(n))**2, n=1, size(area))])
    end function load_outside
 
-   !> Points that stand for what lies beyond the inlet edge and the sides of a domain, upstream of X = 0, to integrate
-   !> over it; of a line contact on its axis.
+   !> Quadrature points for the region upstream of X = 0 beyond the inlet edge and the sides; on the axis for a line
+   !> contact.
    pure subroutine outside(self, x_min, y_max, x, y, area, times)
       class(far_field_t), intent(in) :: self
       real(dp), intent(in) :: x_min, y_max   !! X of the inlet edge, Y of the side; of line contacts y_max is the
@@ -162,7 +162,7 @@ contains
       !> Points from the edge outwards in one direction, even in edge/r.
       pure subroutine add_ray(along, across, edge, width, x, y, area)
          real(dp), intent(in) :: along, across, edge
-         real(dp), intent(in) :: width       !! angle that the ray stands for; of a line that of the strip
+         real(dp), intent(in) :: width       !! angle that the ray represents; width of the strip for a line
          real(dp), allocatable, dimension(:), intent(inout) :: x, y, area
          real(dp) :: last
          real(dp), dimension(rule%n) :: r, t

@@ -21,16 +21,16 @@ module ehlwave_film_flow
    private
    public :: new_film_flow
 
-   real(dp), parameter :: largest_rate = 1e100_dp      ! of |B|: exp(230)
+   real(dp), parameter :: largest_rate = 1e100_dp      ! largest |B|: exp(230)
 
    !> The flow of an oil across the film of a contact, at any place.
    type, public :: film_flow_t
       class(flow_law_t), allocatable :: law
-      type(film_rules_t) :: rules                 !! of integrals across the film, `set_levels` for oils that are warm
+      type(film_rules_t) :: rules                 !! rules of integrals across the film; `set_levels` for warm oils
       real(dp) :: n0 = 0                          !! N0 = c ph/(2 a tau0)
       real(dp) :: lambdabar = 0                   !! dimensionless speed
       real(dp), private :: rate = 0               ! B H/eta
-      type(shear_limit_t), allocatable :: limit   !! of the stress, if there is one
+      type(shear_limit_t), allocatable :: limit   !! limit of the stress, if any
    contains
       procedure :: has_moments
       procedure :: evaluate
@@ -97,8 +97,8 @@ contains
       end do
    end subroutine evaluate
 
-   !> Mean of the shear stresses at the two surfaces over tau0, B and the tangent factors: what a small pressure
-   !> gradient drives along X and along Y over what it drives in a Newtonian oil.
+   !> Mean of the shear stresses at the two surfaces over tau0, B and the tangent factors: flow driven by a small
+   !> pressure gradient along X and along Y, relative to a Newtonian oil.
    pure subroutine mean_stress(self, fluidity, h, gx, gy, sigma_x, b, factor, across, sigma_y, flow)
       class(film_flow_t), intent(in) :: self
       real(dp), intent(in) :: fluidity(:)         !! eta0/eta, (n)
@@ -153,7 +153,7 @@ contains
    end subroutine sort
 
    !> Fluidity at the points across the film and limit of the stress at the places of a block. Where no place is uneven
-   !> across, the block is that of an isothermal oil, bit for bit.
+   !> across, the block equals an isothermal oil's block bit for bit.
    pure subroutine load(self, across, rule, places, sigma, stress)
       class(film_flow_t), intent(in) :: self
       type(across_film_t), intent(in) :: across

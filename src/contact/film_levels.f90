@@ -7,14 +7,14 @@ module ehlwave_film_levels
    public :: add_source, integrate_levels, new_film_levels
 
    integer, parameter, public :: most_levels = 128   !! intervals
-   integer, parameter :: points = 4           ! of the cubics between levels
+   integer, parameter :: points = 4           ! points of the cubics between levels
 
    type, public :: film_levels_t
       integer :: n = 0                        !! intervals across the film, at least 4
       real(dp) :: d = 0                       !! 1/n
       real(dp), allocatable :: zeta(:)        !! (0:n) place across: 0 at surface 2, 1 at surface 1
       real(dp), allocatable :: weight(:)      !! (0:n) of an integral across, exact for cubics
-      real(dp), allocatable :: heat_weight(:) !! the same of a source, as the layers of theory eq. (D9) get it
+      real(dp), allocatable :: heat_weight(:) !! weights of a source in the layers of theory eq. (D9)
    contains
       procedure :: running_integral
    end type film_levels_t
@@ -50,7 +50,7 @@ contains
       end do
    end function new_film_levels
 
-   !> Add a source to what the layers about the levels get: 1, 10, 1 inside, half a layer at the surfaces.
+   !> Add a source to the layers about the levels with weights 1, 10, 1 inside, half a layer at the surfaces.
    pure subroutine add_source(levels, source, layer)
       class(film_levels_t), intent(in) :: levels
       real(dp), intent(in), contiguous :: source(0:)      !! (0:n)
@@ -73,7 +73,7 @@ contains
       call integrate_levels(self%n, field, integral)
    end function running_integral
 
-   !> The same between so many intervals.
+   !> Integrals between so many intervals.
    pure subroutine integrate_levels(n, field, integral)
       integer, intent(in) :: n
       real(dp), intent(in) :: field(0:n)

@@ -14,7 +14,8 @@ module ehlwave_film_rules
 
    integer, parameter :: rule_points(*) = [2, 4, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256]   ! across the film
    integer, parameter, public :: most_rules = size(rule_points)
-   integer, parameter, public :: slight_rule = 2     !! of two with four points: for places where the oil hardly thins,
+   integer, parameter, public :: slight_rule = 2     !! rule of two pairs with four points: for places where the oil
+                                                     !! hardly thins,
    real(dp), parameter :: slight_stress = 0.03_dp      ! with |Sigma| + |B| up to this
 
    !> Properties of places besides viscosity, film and gradients, and those that differ across the film.
@@ -23,7 +24,7 @@ module ehlwave_film_rules
                                                    !! level over that given
       real(dp), allocatable :: p(:)                !! P, (n), where the stress is limited
       real(dp), allocatable :: range(:)            !! (n) of `ln_fluidity` across the film, given with it
-      real(dp), allocatable :: moments(:, :)       !! (0:2, n) those of `moments_of` in place of `ln_fluidity`
+      real(dp), allocatable :: moments(:, :)       !! (0:2, n) values of `moments_of` in place of `ln_fluidity`
    end type across_film_t
 
    ! Points across the film by the range of ln(fluidity)
@@ -36,7 +37,7 @@ module ehlwave_film_rules
    type, public :: film_rules_t
       type(gauss_rule_t), allocatable :: rule(:)
       real(dp), allocatable, private :: reach(:)         ! largest |Sigma| of each rule but the last
-      type(level_weights_t), allocatable :: to_rule(:)   !! of an oil that is warm, from the levels to each rule
+      type(level_weights_t), allocatable :: to_rule(:)   !! weights from the levels to each rule, for a warm oil
    contains
       procedure :: set_rules
       procedure :: set_levels
@@ -71,8 +72,8 @@ contains
       end do
    end subroutine set_levels
 
-   !> 1/2 integral zeta^k f dzeta of the fluidity f across the film over that given, k = 0 to 2: what a warm Newtonian
-   !> oil takes of it. After `set_levels`.
+   !> 1/2 integral zeta^k f dzeta of the fluidity f across the film over the given fluidity, k = 0 to 2. Warm
+   !> Newtonian oils need only these. Call after `set_levels`.
    pure subroutine moments_of(self, ln_fluidity, range, moments)
       class(film_rules_t), intent(in) :: self
       real(dp), intent(in) :: ln_fluidity(0:, :)   !! (0:levels, n) of f
@@ -89,7 +90,7 @@ contains
       end do
    end subroutine moments_of
 
-   !> Those of one place.
+   !> Moments at one place.
    pure subroutine moments_by(rule, to, ln, moments)
       type(gauss_rule_t), intent(in) :: rule
       type(level_weights_t), intent(in) :: to
@@ -117,9 +118,9 @@ contains
    pure subroutine order_places(self, variation, rate, limit, order, first, across)
       class(film_rules_t), intent(in) :: self
       real(dp), intent(in) :: variation(:), rate(:)           !! |Sigma| and B of each place, (n)
-      type(shear_limit_t), allocatable, intent(in) :: limit   !! of the stress, if there is one
-      integer, intent(out) :: order(:)                       !! places, those of rule 1 first, (n)
-      integer, intent(out) :: first(:)                       !! where those of each rule begin in it; then n + 1
+      type(shear_limit_t), allocatable, intent(in) :: limit   !! limit of the stress, if any
+      integer, intent(out) :: order(:)                       !! places, sorted by rule, (n)
+      integer, intent(out) :: first(:)                       !! start of each rule in it; then n + 1
       type(across_film_t), intent(in), optional :: across
       integer :: i, k, needed(size(variation)), place(size(rule_points) + 1)
 
@@ -145,7 +146,7 @@ contains
       end do
    end subroutine order_places
 
-   !> The rule that each place needs for what differs across its film.
+   !> Rule of integration that each place needs, by the variation across its film.
    pure function rule_across(across, variation, limit) result(needed)
       type(across_film_t), intent(in) :: across
       real(dp), intent(in) :: variation(:)     !! |Sigma|

@@ -5,7 +5,8 @@
 !>     rate  1/2 integral s sigma dzeta      = a_0 sigma_m + a_1 Sigma
 !>     flow  1/2 integral zeta s sigma dzeta = a_1 sigma_m + a_2 Sigma
 !>
-!> with T_0, T_1 the derivatives of the rate by sigma_m and Sigma, T_1, T_2 those of the flow: theory eq. (S11).
+!> with T_0, T_1 the derivatives of the rate by sigma_m and Sigma, T_1, T_2 the derivatives of the flow: theory eq.
+!> (S11).
 module ehlwave_film_stress
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_gauss_legendre, only: gauss_rule_t
@@ -15,8 +16,8 @@ module ehlwave_film_stress
    implicit none (type, external)
    private
 
-   integer, parameter :: most_steps = 60             ! of Newton; 15 were the most met for |B| to 1e6, |Sigma| to 60
-   ! of the last step, which is still made: it leaves an error of its square, times the stress where that is small
+   integer, parameter :: most_steps = 60  ! Newton's method needs at most 15 for |B| to 1e6, |Sigma| to 60
+   ! Last step, which is still made: the error left is its square, times the stress where that is small
    real(dp), parameter :: newton_tolerance = 1e-6_dp
 
    !> A block with the flow at its places.
@@ -81,7 +82,7 @@ contains
       call finish(self, moments, change, t0)
    end subroutine solve
 
-   !> The same of a Newtonian oil that is warm, whose rate is linear in the stress: T_k = a_k I.
+   !> Stress of a warm Newtonian oil, whose rate is linear in the stress: T_k = a_k I.
    pure subroutine solve_newtonian(self)
       class(film_stress_t), intent(inout) :: self
       real(dp) :: share, slope
@@ -125,7 +126,7 @@ contains
    pure subroutine newton_step(self, moments, change, t)
       class(film_stress_t), intent(in) :: self
       type(moments_t), intent(in) :: moments
-      real(dp), intent(out) :: change(block_size, 2)   !! of sigma_m
+      real(dp), intent(out) :: change(block_size, 2)   !! change of sigma_m
       real(dp), intent(out) :: t(block_size, 3)        !! T_0
       real(dp) :: inverse, left_x, left_y
       integer :: i
@@ -175,8 +176,8 @@ contains
       end associate
    end subroutine finish
 
-   !> Derivative of the flow of a place by 1/sigma_L^2, sigma_m following: that at fixed stress less T_1 T_0^(-1) times
-   !> that of the rate.
+   !> Derivative of the flow of a place by 1/sigma_L^2, sigma_m following: the derivative at fixed stress less T_1
+   !> T_0^(-1) times the derivative of the rate.
    pure subroutine limit_flow(self, moments, i, first, second)
       class(film_stress_t), intent(inout) :: self
       type(moments_t), intent(in) :: moments

@@ -13,13 +13,13 @@ module ehlwave_flow_values
    public :: take_flow, take_limit
 
    integer, parameter, public :: along_x = 1, along_y = 2   !! components of the flow
-   integer, parameter, public :: flow_values = 6            !! what is known of the flow of a place:
+   integer, parameter, public :: flow_values = 6            !! number of flow values at a place:
    integer, parameter, public :: flow_q = 1                 !! Qhat,
    integer, parameter, public :: flow_by_ln_eta = 2         !! its derivatives by ln(eta), H, g_x and g_y
    integer, parameter, public :: flow_by_h = 3
    integer, parameter, public :: flow_by_gx = 4
    integer, parameter, public :: flow_by_gy = 5
-   integer, parameter, public :: flow_by_p = 6              !! and by P, which limits the stress
+   integer, parameter, public :: flow_by_p = 6              !! derivative by P, which limits the stress
 
 contains
 
@@ -29,7 +29,7 @@ contains
       class(film_stress_t), intent(in) :: stress                !! solved
       real(dp), intent(in) :: n0, lambdabar                     !! N0, dimensionless speed
       real(dp), intent(in) :: fluidity(stress%n), h(stress%n)   !! eta0/eta, H > 0
-      real(dp), intent(out) :: flow(block_size, flow_values)    !! of the places of the block
+      real(dp), intent(out) :: flow(block_size, flow_values)    !! flow values of the places of the block
       real(dp) :: b_by_b, scale, unit
       integer :: j
 

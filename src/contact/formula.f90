@@ -9,7 +9,7 @@ module ehlwave_formula
 contains
 
    !> f(r) of theory eq. (15): exp(1 - 1/r) for r = lambda_x/lambda_y > 1, else 1.
-   !> A wavelength of 0 stands for no variation in that direction (infinite wavelength).
+   !> A wavelength of 0 means no variation in that direction (infinite wavelength).
    pure function anisotropy_factor(wavelength_x, wavelength_y) result(f)
       real(dp), intent(in) :: wavelength_x, wavelength_y   !! same unit; 0: infinite
       real(dp) :: f
@@ -33,8 +33,8 @@ contains
       v = sqrt(conditions%gamma)*wave_parameter_v2(conditions, wavelength_over_a)
    end function wave_parameter_v
 
-   !> V2 = (lambda/a)(M/L)^(1/2), theory eq. (16); infinite (huge) for L = 0. M of a line contact is another number than
-   !> that of an elliptical one, so V2 of both cannot be compared.
+   !> V2 = (lambda/a)(M/L)^(1/2), theory eq. (16); infinite (huge) for L = 0. M of line and elliptical contacts differs
+   !> in definition, so their V2 cannot be compared.
    pure function wave_parameter_v2(conditions, wavelength_over_a) result(v2)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: wavelength_over_a

@@ -6,7 +6,7 @@ module ehlwave_heat_data
    private
    public :: new_heat_scales
 
-   !> Temperatures in marches: those of the smooth contact, or of oil and surfaces those that heat gives at each time.
+   !> Temperatures in marches: from the smooth contact, or the heat equation of oil and surfaces at each time.
    character(len=*), parameter, public :: frozen = 'frozen', carried = 'carried'
 
    !> A body; by default bearing steel.
@@ -22,7 +22,7 @@ module ehlwave_heat_data
       real(dp) :: oil_density_kg_per_m3 = 0               !! rho0
       real(dp) :: oil_expansion_per_k = 0                 !! eps
       real(dp) :: viscosity_temperature_per_k = 0         !! beta
-      type(body_heat_t) :: body(2) = [body_heat_t(), body_heat_t(0.0_dp, 0.0_dp, 0.0_dp)]   !! of surfaces 1 and 2; 0 of
+      type(body_heat_t) :: body(2) = [body_heat_t(), body_heat_t(0.0_dp, 0.0_dp, 0.0_dp)]   !! surfaces 1 and 2; 0 of
                                                           !! the second: as the first
       integer :: levels = 12                              !! intervals across the film
       character(len=7) :: wave_temperatures = frozen      !! as waves pass in time
@@ -32,7 +32,7 @@ module ehlwave_heat_data
       procedure :: second_body
    end type heat_data_t
 
-   !> The same for the dimensionless equation of theory eq. (T6).
+   !> Scales of heat for the dimensionless equation, theory eq. (T6).
    type, public :: heat_scales_t
       real(dp) :: convection = 0       !! rho0 cp ubar c^2/(a k)
       real(dp) :: work = 0             !! ubar ph c^2/(a k), K
@@ -44,7 +44,7 @@ module ehlwave_heat_data
 
 contains
 
-   !> Whether anything is said of the oil's heat: then temperatures are found.
+   !> Whether any heat property of the oil is given: then temperatures are found.
    elemental logical function is_given(self)
       class(heat_data_t), intent(in) :: self
       is_given = max(self%oil_conductivity_w_per_m_k, self%oil_heat_capacity_j_per_kg_k, self%oil_density_kg_per_m3, &

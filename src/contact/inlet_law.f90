@@ -11,7 +11,7 @@ module ehlwave_inlet_law
    type, public :: inlet_t
       real(dp) :: loading = 0              !! L_t = eta0 beta ubar^2/k
       real(dp) :: slide_roll = 0           !! s = |u1 - u2|/ubar
-      real(dp) :: wall = 0                 !! B = (k/h) (a/ubar)^(1/2)/e_s: rise of the surfaces over that of the film
+      real(dp) :: wall = 0  !! B = (k/h) (a/ubar)^(1/2)/e_s: rise of the surfaces over the rise of the film
       real(dp) :: film = 0                 !! H(0,0) without heat
       real(dp) :: m = 0, l = 0, d = 1      !! M, L and D
    end type inlet_t
@@ -38,7 +38,7 @@ contains
       error = error_share(k)*(inlet_loss(inlet) + known_loss)
    end function inlet_loss_error
 
-   !> Whether contacts like it were among those of the fit.
+   !> Whether the fit covers contacts like it.
    elemental logical function is_within_law(inlet)
       type(inlet_t), intent(in) :: inlet
       associate (i => inlet)

@@ -25,7 +25,7 @@ contains
 
    !> Quasi-static balance, theory eq. (11), under the relative load `force`.
    pure function force_balance(force) result(self)
-      real(dp), intent(in) :: force   !! load over the nominal one
+      real(dp), intent(in) :: force   !! load over the nominal load
       type(load_balance_t) :: self
       self%force = force
    end function force_balance
@@ -44,7 +44,7 @@ contains
    !>
    !>     (2 Delta_k - 5 Delta_(k-1) + 4 Delta_(k-2) - Delta_(k-3))/(Omega dT)^2
    pure function equation_of_motion(force, natural_frequency, dt) result(self)
-      real(dp), intent(in) :: force               !! load over the nominal one
+      real(dp), intent(in) :: force               !! load over the nominal load
       real(dp), intent(in) :: natural_frequency   !! Omega
       real(dp), intent(in) :: dt                  !! dT
       type(load_balance_t) :: self

@@ -1,7 +1,7 @@
-!> The oil of a case: the one list of viscosity, density and flow laws, by name, and their parameters.
+!> The oil of a case: the list of viscosity, density and flow laws, by name, and their parameters.
 !>
-!> A new law is a module that extends `viscosity_law_t`, `density_law_t` or `flow_law_t`. Here it has its name, its
-!> parameters (a component of `oil_t`) and its `case`; its keys stand in `input/oil_keys`. Measured values come from
+!> A new law is a module that extends `viscosity_law_t`, `density_law_t` or `flow_law_t`. Enter here its name, its
+!> parameters (a component of `oil_t`) and its `case`; its keys are in `input/oil_keys`. Measured values come from
 !> `viscosity_file`, which `case/case_lubricant` reads.
 module ehlwave_oil
    use ehlwave_barus_law, only: barus_law_t
@@ -44,18 +44,18 @@ module ehlwave_oil
       character(len=name_length) :: density_law = dowson_higginson
       character(len=name_length) :: flow_law = newtonian
       character(len=path_length) :: viscosity_file = ''             !! measured values, of laws that are made from them,
-      type(number_table_t) :: measured                              !! and the values, once they are read
+      type(number_table_t) :: measured                              !! values of the file, once read
       real(dp) :: temperature_k = 0                                 !! T0, of laws that take it; 0: not given
       real(dp) :: pressure_viscosity_per_pa = 2.2e-8_dp             !! alpha, where it is given
       type(roelands_law_t) :: roelands
       type(mcewen_law_t) :: mcewen
       type(yasutomi_law_t) :: yasutomi
-      type(doolittle_law_t) :: doolittle                            !! but for its volume, which is that of:
+      type(doolittle_law_t) :: doolittle                            !! without its volume, which comes from `tait`:
       type(tait_density_t) :: tait = tait_density_t(modulus_rate=0)
       real(dp) :: eyring_stress_pa = 0                              !! tau0
       real(dp) :: carreau_modulus_pa = 0, carreau_exponent = 0      !! G, n
       real(dp) :: shear_limit_over_pressure = 0, shear_limit_width = 0.1_dp   !! 0: no limit; see `shear_limit`
-      ! of laws that take them where temperatures are found
+      ! properties for laws of temperature:
       real(dp) :: beta_per_k = 0                                    !! -d ln(eta)/dT at ambient pressure and T0
       real(dp) :: expansion_per_k = 0                               !! -d ln(rho)/dT there
    contains

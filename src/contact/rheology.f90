@@ -22,7 +22,7 @@ module ehlwave_rheology
       class(density_law_t), allocatable :: density_law
       class(flow_law_t), allocatable :: flow_law   !! unallocated for a Newtonian oil
       real(dp) :: ph_pa = 0                        !! ph, Pa
-      real(dp) :: exponent_factor = 1              !! of ln(eta/eta0)
+      real(dp) :: exponent_factor = 1              !! factor on ln(eta/eta0)
       real(dp) :: modulus_times_stress_pa2 = 0     !! E' tau0
       real(dp) :: modulus_times_limit_pa = 0       !! E' times the limit of the stress over the pressure; 0: none
       real(dp) :: limit_width = 0
@@ -69,13 +69,13 @@ contains
    pure subroutine use_flow(self, law, modulus_times_stress_pa2)
       class(rheology_t), intent(inout) :: self
       class(flow_law_t), intent(in) :: law
-      real(dp), intent(in) :: modulus_times_stress_pa2   !! E' tau0, Pa^2; tau0 stands for G of Carreau's law
+      real(dp), intent(in) :: modulus_times_stress_pa2   !! E' tau0, Pa^2; tau0 holds G of Carreau's law
       if (allocated(self%flow_law)) deallocate (self%flow_law)
       allocate (self%flow_law, source=law)
       self%modulus_times_stress_pa2 = modulus_times_stress_pa2
    end subroutine use_flow
 
-   !> Let a Newtonian oil be one whose law of flow is that of Newton: where its viscosity varies across the film.
+   !> Make a Newtonian oil use Newton's flow law explicitly, where its viscosity varies across the film.
    pure subroutine generalise(self)
       class(rheology_t), intent(inout) :: self
       if (self%is_newtonian()) call self%use_flow(new_carreau_law(1.0_dp), self%ph_pa**2)
@@ -107,7 +107,7 @@ contains
          new_shear_limit(self%ph_pa*self%modulus_times_limit_pa/self%modulus_times_stress_pa2, self%limit_width)
    end function film_flow
 
-   !> The same oil in a contact at another Hertz pressure.
+   !> Oil of a contact at another Hertz pressure.
    pure function at_pressure(self, hertz_pressure_pa) result(other)
       class(rheology_t), intent(in) :: self
       real(dp), intent(in) :: hertz_pressure_pa           !! ph, Pa
@@ -123,7 +123,7 @@ contains
       depends_on_alpha = .not. same_type_as(self%viscosity, constant)
    end function depends_on_alpha
 
-   !> The same oil with ln(eta/eta0) so many times as large at every pressure.
+   !> Oil with ln(eta/eta0) scaled by a factor at every pressure.
    pure function with_alpha(self, factor) result(other)
       class(rheology_t), intent(in) :: self
       real(dp), intent(in) :: factor   !! > 0
@@ -138,7 +138,7 @@ contains
       is_limited = self%modulus_times_limit_pa > 0
    end function is_limited
 
-   !> The same oil with the stress of its flow law and the limit of the stress so many times as large.
+   !> Oil with the stress of its flow law and its limiting stress scaled by a factor.
    pure function with_stress(self, factor) result(other)
       class(rheology_t), intent(in) :: self   !! not Newtonian
       real(dp), intent(in) :: factor          !! > 0

@@ -50,7 +50,7 @@ contains
       end do
    end subroutine evaluate
 
-   !> See the interface: what pressure does is found once.
+   !> Take the pressure terms once for all places; see the interface.
    pure subroutine evaluate_rises(self, n, rises, p_pa, rise_k, exponent, slope_per_k)
       class(roelands_law_t), intent(in) :: self
       integer, intent(in) :: n, rises

@@ -5,7 +5,8 @@
 !>     w = 1/(1 - x^m),   x = |sigma|^2/sigma_L^2,
 !>
 !> theory eq. (S15): the rate grows without bound as the stress nears sigma_L, so that a given rate of sliding never
-!> needs more than it. m follows from the width: at (1 - width) of the limit the rate is twice that of the flow law.
+!> needs more than it. m follows from the width: at (1 - width) of the limit the rate is twice the rate of the flow
+!> law.
 !>
 !>     sigma_L^2 = (limit P)^2 + (limit floor)^2 + (2 |Sigma|)^2
 !>
@@ -27,8 +28,8 @@ module ehlwave_shear_limit
       procedure :: factor
    end type shear_limit_t
 
-   real(dp), parameter, public :: limit_floor = 0.02_dp   !! of P
-   real(dp), parameter :: gradient_share = 4              ! of |Sigma|^2
+   real(dp), parameter, public :: limit_floor = 0.02_dp   !! share of P that is the smallest limit
+   real(dp), parameter :: gradient_share = 4              ! share of |Sigma|^2
    real(dp), parameter :: largest_factor = 1e7_dp         ! w there
 
 contains

@@ -30,15 +30,15 @@ module ehlwave_shear_moments
       real(dp) :: mean(block_size, 2)                !! sigma_m
       real(dp), allocatable :: fluidity(:, :)        !! (block_size, points of the rule or more) of an oil that is warm
       real(dp), allocatable :: moments(:, :)         !! (block_size, 0:2) of it, where they are all that counts
-      type(shear_limit_t), allocatable :: limit      !! of the stress, if there is one,
+      type(shear_limit_t), allocatable :: limit      !! limit of the stress, if any,
       real(dp) :: inverse_square(block_size)         !! 1/sigma_L^2,
-      real(dp) :: by_sigma2(block_size)              !! and its derivative by |Sigma|^2
+      real(dp) :: by_sigma2(block_size)              !! derivative by |Sigma|^2
    end type film_block_t
 
    !> Moments at the places of a block.
    type, public :: moments_t
       real(dp) :: a(block_size, 0:2), e(block_size, 0:4)
-      real(dp) :: by_limit(block_size, 0:2)   !! of a by 1/sigma_L^2
+      real(dp) :: by_limit(block_size, 0:2)   !! derivative of a by 1/sigma_L^2
    end type moments_t
 
 contains
@@ -57,10 +57,10 @@ contains
    pure subroutine integrate(self, law, node, half_weight, moments)
       class(film_block_t), intent(inout) :: self
       class(flow_law_t), intent(in) :: law
-      real(dp), intent(in) :: node(:)          !! the positive ones
+      real(dp), intent(in) :: node(:)          !! the positive points
       real(dp), intent(in) :: half_weight(:)   !! half the weight of each
-      type(moments_t), intent(out) :: moments  !! of the places 1..n
-      real(dp), dimension(2*block_size) :: s, slope, stress2   ! those of zeta, then those of -zeta
+      type(moments_t), intent(out) :: moments  !! moments at places 1..n
+      real(dp), dimension(2*block_size) :: s, slope, stress2   ! values at zeta, then at -zeta
       real(dp), dimension(block_size) :: mean2, both, sigma2
       real(dp) :: by_even, by_odd, even, odd, w, z, z2
       integer :: i, k
@@ -78,7 +78,7 @@ contains
          do k = 1, size(node)
             z = node(k)
             do i = 1, n
-               stress2(i) = abs(mean2(i) + z*both(i) + z**2*sigma2(i))   ! of rounding alone below 0
+               stress2(i) = abs(mean2(i) + z*both(i) + z**2*sigma2(i))   ! only rounding makes it negative
                stress2(n + i) = abs(mean2(i) - z*both(i) + z**2*sigma2(i))
             end do
             call law%shear_factor(2*n, stress2, s, slope)
@@ -111,8 +111,8 @@ contains
       end associate
    end subroutine integrate
 
-   !> s and its slope times the factor of the limit, and what the pair of points adds to the derivatives of the moments
-   !> by 1/sigma_L^2.
+   !> s and its slope times the factor of the limit, and the terms of the pair of points in the derivatives of the
+   !> moments by 1/sigma_L^2.
    pure subroutine apply_limit(self, pair, z, w, stress2, s, slope, moments)
       class(film_block_t), intent(in) :: self
       integer, intent(in) :: pair(2)                    !! number of pairs, and which

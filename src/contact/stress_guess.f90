@@ -17,10 +17,10 @@ module ehlwave_stress_guess
 
 contains
 
-   !> sigma_m of an oil that is the same across the film: that of B alone, then across sliding what leaves no rate
-   !> there, -a_1 Sigma_y/a_0, and along it the stress for B over what the rate is too large by, both as if s kept its
-   !> shape: exact for Ree-Eyring without gradient across sliding. Where Sigma is small fewer points across the film
-   !> tell the rate: an error of the fourth or eighth order.
+   !> sigma_m of an oil uniform across the film. First the value for B alone. Then -a_1 Sigma_y/a_0 across sliding,
+   !> which leaves no rate there. Along sliding, the stress for B over the excess rate. Both treat the shape of s as
+   !> fixed: exact for Ree-Eyring without gradient across sliding. Where Sigma is small fewer points across the film
+   !> give the rate: an error of fourth or eighth order.
    pure subroutine guess_stress(self, law, rule)
       class(film_block_t), intent(inout) :: self   !! gets sigma_m of its places
       class(flow_law_t), intent(in) :: law
@@ -53,9 +53,9 @@ contains
       end associate
    end subroutine guess_stress
 
-   !> sigma_m of an oil that is warm or whose stress is limited: that of B over the mean fluidity, and then what the
-   !> limit leaves of it, by Newton for ln(rate) against y = -ln(1 - sigma/sigma_L). Along X alone: the other component
-   !> stays.
+   !> sigma_m of an oil that is warm or whose stress is limited: the value for B over the mean fluidity, then reduced
+   !> by the limit. Newton's method solves for ln(rate) against y = -ln(1 - sigma/sigma_L). Along X alone: the other
+   !> component stays.
    pure subroutine guess_uneven_stress(self, law, rule)
       class(film_block_t), intent(inout) :: self   !! gets sigma_m along X of its places
       class(flow_law_t), intent(in) :: law

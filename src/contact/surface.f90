@@ -10,12 +10,12 @@ module ehlwave_surface
 
    !> Heights in dimensionless coordinates, positive out of the material. Outside its ends the surface is smooth.
    type, public :: surface_t
-      real(dp), allocatable :: height(:, :)   !! (points along X, points along Y), units of c; one along Y: no variation
+      real(dp), allocatable :: height(:, :)   !! (points along X, points along Y), units of c; 1 along Y: no variation
       real(dp) :: step_x = 0, step_y = 0      !! sampling steps, units of a and b; step_y 0: no variation along Y
       real(dp) :: length = 0                  !! from the first to the last point along X, units of a
       real(dp) :: rq = 0                      !! root mean square of the heights about their mean, units of c
       real(dp) :: wavelength_x = 0            !! RMS average wavelength along X, 2 pi Rq over the RMS slope, units of a
-      real(dp) :: wavelength_y = 0            !! the same along Y, units of b; 0: no variation along Y
+      real(dp) :: wavelength_y = 0            !! average along Y, units of b; 0: no variation along Y
    contains
       procedure :: height_at
       procedure :: is_even
@@ -34,7 +34,7 @@ contains
    subroutine new_surface(height, step_x, step_y, width, self, error)
       real(dp), intent(in) :: height(:, :)
       real(dp), intent(in) :: step_x, step_y
-      real(dp), intent(in) :: width                !! of the domain, units of b
+      real(dp), intent(in) :: width                !! width of the domain, units of b
       type(surface_t), intent(out) :: self
       type(error_t), allocatable, intent(inout) :: error
       real(dp) :: edge, highest
@@ -93,7 +93,7 @@ contains
       is_even = maxval(abs(self%height - self%height(:, n:1:-1))) <= 1e-12_dp*maxval(abs(self%height))
    end function is_even
 
-   !> Heights at the nodes (x, y) when the last, leading point stands at X = `front`; shape (size(x), size(y)).
+   !> Heights at the nodes (x, y) when the last, leading point is at X = `front`; shape (size(x), size(y)).
    !>
    !> Cubic convolution (Keys 1981, IEEE Transactions ASSP 29, 1153): continuous slopes, exact for parabolas. Beyond
    !> the ends the surface goes on at height 0.

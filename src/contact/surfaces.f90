@@ -30,8 +30,8 @@ module ehlwave_surfaces
    end type surfaces_t
 
    integer, parameter :: largest_whole = 12            !! periods of one surface after which two may repeat together
-   real(dp), parameter :: whole = 1e-6_dp              !! of a ratio of periods
-   real(dp), parameter :: fewest_beats = 0.5_dp        !! in which a fit tells two frequencies apart
+   real(dp), parameter :: whole = 1e-6_dp              !! tolerance of whole ratios of periods
+   real(dp), parameter :: fewest_beats = 0.5_dp        !! beats in which a fit resolves two frequencies
 
 contains
 
@@ -89,8 +89,8 @@ contains
       end do
    end function longest_period
 
-   !> Time after which all waves repeat, in T: that of one surface, or the least common multiple of two, all of which
-   !> move. 0 where their periods are in no ratio of small whole numbers.
+   !> Time after which all waves repeat, in T: the period of a single moving surface, or the least common multiple of
+   !> two. 0 where the periods have no ratio of small whole numbers.
    pure real(dp) function repeat_period(self)
       class(surfaces_t), intent(in) :: self
       real(dp) :: ratio
@@ -118,7 +118,7 @@ contains
       window = self%longest_period()*min(real(largest_whole, dp), max(1.0_dp, 1/(beats*self%longest_period())))
    end function window
 
-   !> Whether the film at one point tells the waves of both surfaces apart: their frequencies differ.
+   !> Whether the film at a point resolves the waves of both surfaces: their frequencies differ.
    pure logical function are_apart(self)
       class(surfaces_t), intent(in) :: self
       are_apart = .true.
@@ -126,7 +126,7 @@ contains
          abs(1/self%list(1)%period() - 1/self%list(2)%period())*self%window() > fewest_beats
    end function are_apart
 
-   !> Periods, in T, that the film at one point tells apart.
+   !> Periods, in T, that the film at a point resolves.
    pure function periods(self) result(found)
       class(surfaces_t), intent(in) :: self
       real(dp), allocatable :: found(:)
@@ -134,7 +134,8 @@ contains
       found = [(self%list(n)%period(), n=1, merge(size(self%list), 1, self%are_apart()))]
    end function periods
 
-   !> Whether all surfaces have the same waves and move alike: the gap has one wave of the sum of their amplitudes.
+   !> Whether all surfaces have the same waves and speed: the gap then has a single wave with the sum of their
+   !> amplitudes.
    pure logical function are_one(self)
       class(surfaces_t), intent(in) :: self
       associate (first => self%list(1), last => self%list(size(self%list)))
@@ -152,7 +153,7 @@ contains
       smallest_amplitude = minval([(self%list(n)%amplitude(film), n=1, size(self%list))])
    end function smallest_amplitude
 
-   !> T until the slowest of the patterns, and what it launched into the oil (speed 1), have passed X = outlet.
+   !> Time T until the slowest pattern and its waves in the oil (speed 1) have passed X = outlet.
    pure real(dp) function passing_time(self, outlet)
       class(surfaces_t), intent(in) :: self
       real(dp), intent(in) :: outlet
@@ -179,7 +180,7 @@ contains
       end do
    end function rough_at
 
-   !> The same of waves that are everywhere and have crests at X = 0 at T = 0.
+   !> Height of waves everywhere in the domain, with crests at X = 0 at T = 0.
    pure function rough_of_waves(self, x, y, t, film) result(rough)
       class(surfaces_t), intent(in) :: self
       real(dp), intent(in) :: x(:), y(:), t, film
@@ -193,7 +194,7 @@ contains
       end do
    end function rough_of_waves
 
-   !> The same of patterns that stand still, the one that results are about with a phase.
+   !> Height of stationary patterns; the phase applies to the main pattern.
    pure function rough_fixed(self, x, y, phase, film) result(rough)
       class(surfaces_t), intent(in) :: self
       real(dp), intent(in) :: x(:), y(:)

@@ -13,11 +13,11 @@ module ehlwave_table_law
 
    !> ln(eta) = sum_k w_k(X) y_k(p),  X = 1/(T - 178 K): y_k is the curve through ln(eta) at the temperature T_k, see
    !> `core/monotone_curve`. ln(eta) is nearly straight in X: Vogel's law with Cameron's constant, 95 C, is straight.
-   !> With two temperatures the weights w are straight. With more they are those of parabolas through three of them,
-   !> of which two neighbours are blended linearly. So both slopes are continuous. ln(eta) goes on with its last slope
-   !> by p beyond the largest pressure, and by X beyond the temperatures.
+   !> With two temperatures the weights w are straight. With more, the weights come from parabolas through three
+   !> temperatures; neighbouring parabolas are blended linearly. So both slopes are continuous. ln(eta) goes on with
+   !> its last slope by p beyond the largest pressure, and by X beyond the temperatures.
    type, extends(viscosity_law_t), public :: table_law_t
-      type(monotone_curve_t), allocatable, private :: curves(:)   ! of ln(eta/Pa s) over p, temperatures rising
+      type(monotone_curve_t), allocatable, private :: curves(:)   ! curves of ln(eta/Pa s) over p, temperatures rising
       real(dp), allocatable, private :: x(:)                      ! X of the curves, 1/K
       real(dp), private :: temperature_k = 0                      ! T0, K
       real(dp), private :: ambient = 0                            ! ln(eta0/Pa s)
@@ -27,14 +27,14 @@ module ehlwave_table_law
    end type table_law_t
 
    real(dp), parameter :: vogel_k = 178                          ! pole of X
-   real(dp), parameter :: same_k = 0.01_dp                       ! difference of temperatures that are meant to be one
+   real(dp), parameter :: same_k = 0.01_dp                       ! difference below which temperatures count as equal
 
 contains
 
    !> Law of a table, see `read_curves`. Fails as that, and where T0 is missing or out of range.
    pure subroutine new_table_law(table, temperature_k, law, error)
       type(number_table_t), intent(in) :: table
-      real(dp), intent(in) :: temperature_k        !! T0, K; 0: that of a table of one temperature
+      real(dp), intent(in) :: temperature_k        !! T0, K; 0: the temperature of a table with a single temperature
       type(table_law_t), intent(out) :: law
       type(error_t), allocatable, intent(inout) :: error
       real(dp), allocatable :: list(:)             ! temperatures
@@ -46,10 +46,10 @@ contains
       if (.not. allocated(error)) call finish(table, law, error)
    end subroutine new_table_law
 
-   !> T0 of the law: asked for, or that of the only temperature.
+   !> T0 of the law: as requested, or the only temperature of the table.
    pure subroutine choose_temperature(table, list, temperature_k, law, error)
       type(number_table_t), intent(in) :: table
-      real(dp), intent(in) :: list(:)              !! temperatures, rising; 0: the table does not say it
+      real(dp), intent(in) :: list(:)              !! temperatures, rising; 0: not given by the table
       real(dp), intent(in) :: temperature_k        !! asked for, 0: none
       type(table_law_t), intent(inout) :: law
       type(error_t), allocatable, intent(inout) :: error
@@ -129,7 +129,7 @@ contains
 
    contains
 
-      !> Whether a temperature is another than the one before.
+      !> Whether a temperature differs from the previous one.
       pure logical function is_new(i)
          integer, intent(in) :: i
          is_new = i == 1

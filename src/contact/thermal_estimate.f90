@@ -19,16 +19,18 @@ module ehlwave_thermal_estimate
    !> Film of a contact with a warm inlet over the isothermal film.
    type, public :: warm_inlet_t
       real(dp) :: film_factor = no_value
-      real(dp) :: error = no_value       !! of it; NaN where the law does not hold: then the factor is a low estimate
-      real(dp) :: rise_k = no_value      !! of the oil in the inlet that would thin the film by such a factor
+      real(dp) :: error = no_value       !! relative error; NaN where the law does not hold: then the factor is a low
+                                         !! estimate
+      real(dp) :: rise_k = no_value      !! rise of the oil in the inlet that would thin the film by such a factor
    end type warm_inlet_t
 
-   real(dp), parameter :: film_exponent = 0.67_dp    ! of viscosity in the film thickness: Hamrock and Dowson 1977
+   real(dp), parameter :: film_exponent = 0.67_dp    ! exponent of viscosity in the film thickness: Hamrock and Dowson
+                                                     ! 1977
    real(dp), parameter :: least_factor = 0.05_dp     ! keeps the fit of the inlet factor positive beyond its range
 
 contains
 
-   !> The law of warm inlets, theory eq. (T15), where it holds; beyond, the lower one of it and of (T3).
+   !> The law of warm inlets, theory eq. (T15), within its range; beyond, the lower value of it and of (T3).
    elemental type(warm_inlet_t) function warm_inlet(data, inlet, pressure_over_modulus)
       type(thermal_data_t), intent(in) :: data
       type(inlet_t), intent(in) :: inlet
@@ -56,8 +58,8 @@ contains
                           /(1 + 0.213_dp*(1 + 2.23_dp*slide_roll**0.83_dp)*loading**0.64_dp)
    end function rough_film_factor
 
-   !> Mean temperature of the film above that of the surfaces, K: heat made evenly across the film and conducted to
-   !> both, q h/(12 k) with q = |tau| |u1 - u2|, theory eq. (T4). Three halves of it in the middle.
+   !> Mean temperature of the film above the surfaces, K: heat generated evenly across the film and conducted to
+   !> both, q h/(12 k) with q = |tau| |u1 - u2|, theory eq. (T4). The rise at mid-film is 1.5 times as large.
    elemental real(dp) function film_rise_k(data, stress_pa, sliding_m_per_s, film_m)
       type(thermal_data_t), intent(in) :: data
       real(dp), intent(in) :: stress_pa         !! mean |tau|
@@ -68,8 +70,8 @@ contains
 
    !> Mean temperature rise of the surfaces within the contact, K: a band of length 2 a of even heat q over two surfaces
    !> that move fast (Peclet number above 10), at rest in no case (Blok 1937; Archard, Wear 2, 1959, 438-455). Heat q
-   !> into one alone warms it by (4/3) q (2 a/(pi u))^(1/2)/(k rho c)^(1/2) in the mean; both share it so that they are
-   !> equally warm: theory eq. (T5).
+   !> into a single surface warms it by (4/3) q (2 a/(pi u))^(1/2)/(k rho c)^(1/2) on average; both surfaces share it so
+   !> that they are equally warm: theory eq. (T5).
    elemental real(dp) function surface_rise_k(data, stress_pa, speed1_m_per_s, speed2_m_per_s, half_length_m)
       type(thermal_data_t), intent(in) :: data
       real(dp), intent(in) :: stress_pa                          !! mean |tau|

@@ -6,8 +6,8 @@
 !>
 !> the attenuated wave moves with the surface, the complementary one is launched by the inlet and moves with the oil
 !> (Greenwood and Morales-Espejel 1994; Hooke 2006). With the state of the contact centre, and where the pressure
-!> gradient is small beside what sliding makes of the viscosity, the linear Reynolds equation gives a and psi in closed
-!> form. What the inlet launches, c, has no formula.
+!> gradient is small beside the effect of sliding on viscosity, the linear Reynolds equation gives a and psi in closed
+!> form. The wave launched by the inlet, c, has no formula.
 module ehlwave_two_waves
    use ehlwave_kinds, only: dp, no_value
    implicit none (type, external)
@@ -32,21 +32,20 @@ module ehlwave_two_waves
 
    complex(dp), parameter :: no_number = (no_value, no_value)
 
-   !> The two waves of a film, amplitudes over Ai. All NaN where both waves cannot be told from each other, as near S =
-   !> 1.
+   !> The two waves of a film, amplitudes over Ai. All NaN where they cannot be separated, as near S = 1.
    type, public :: two_waves_t
       complex(dp) :: attenuated = no_number      !! a
       complex(dp) :: complementary = no_number   !! c
-      complex(dp) :: psi = no_number             !! as the film has it; NaN where c is lost in what is left
-      real(dp) :: misfit = no_value              !! rms of what is left
+      complex(dp) :: psi = no_number             !! from the film; NaN where c is lost in the residual
+      real(dp) :: misfit = no_value              !! rms of the residual
    end type two_waves_t
 
    integer, parameter :: newton_steps = 20, fit_steps = 20
-   ! of psi, after which the next one is nothing: the method is quadratic
+   ! Step of psi, after which the next is negligible: the method is quadratic
    real(dp), parameter :: newton_step = 1e-7_dp
    real(dp), parameter :: smallest_step = 1e-3_dp
    real(dp), parameter :: least_signal = 3      ! |c| over the misfit from which psi can be seen
-   ! of 1 - |correlation|^2: errors of the film grow 10 times in a and c
+   ! Least 1 - |correlation|^2: errors of the film grow 10 times in a and c
    real(dp), parameter :: least_difference = 0.01_dp
 
 contains
@@ -120,16 +119,15 @@ contains
    end function smaller_root
 
    !> Both waves in a film amplitude h over Ai at places x: a and c by least squares with the wave number psi given,
-   !> then the psi that describes best what the attenuated wave leaves. (All three at once come out wrong: psi and c
-   !> then describe what the change of the film along the contact does to the larger wave.) `shape` is what a and c are
-   !> of a(0) and c(0): the attenuated wave is in balance with the oil where it is, the complementary one keeps its
-   !> share of a film that flows through.
+   !> then the psi that best describes the rest.(A fit of all three at once fails: psi and c then absorb the change of
+   !> the larger wave along the contact.) `shape` is a(x)/a(0) and c(x)/c(0): the attenuated wave is in balance with
+   !> the oil where it is, the complementary one keeps its share of a film that flows through.
    pure function fit_two_waves(x, h, kx, psi, shape) result(fit)
       real(dp), intent(in) :: x(:)            !! X, at least 3
       complex(dp), intent(in) :: h(:)         !! amplitude of H over Ai there
       real(dp), intent(in) :: kx              !! wave number of the pattern, 1/a
-      complex(dp), intent(in) :: psi          !! of the complementary wave, 1/a
-      complex(dp), intent(in) :: shape(:, :)  !! of the attenuated and the complementary wave at x
+      complex(dp), intent(in) :: psi          !! wave number of the complementary wave, 1/a
+      complex(dp), intent(in) :: shape(:, :)  !! shapes of the attenuated and the complementary wave at x
       type(two_waves_t) :: fit
       complex(dp) :: amplitude(2), wave(size(x), 2)
 
@@ -144,8 +142,7 @@ contains
          fit%psi = fitted_number(x, (h - amplitude(1)*wave(:, 1))/shape(:, 2), psi)
    end function fit_two_waves
 
-   !> Wave number of the one wave that comes nearest to h, by Gauss-Newton steps that are halved until they do not leave
-   !> more.
+   !> Wave number of the single wave nearest to h, by Gauss-Newton steps that are halved until the residual falls.
    pure complex(dp) function fitted_number(x, h, start) result(psi)
       real(dp), intent(in) :: x(:)
       complex(dp), intent(in) :: h(:)
@@ -177,7 +174,7 @@ contains
    pure subroutine least_squares(columns, b, coefficient, misfit)
       complex(dp), intent(in) :: columns(:, :), b(:)   !! (m, n), (m)
       complex(dp), intent(out) :: coefficient(:)       !! (n)
-      real(dp), intent(out) :: misfit                  !! rms of what they leave
+      real(dp), intent(out) :: misfit                  !! rms of the residual
       complex(dp) :: left(size(b)), q(size(b), size(columns, 2)), r(size(columns, 2), size(columns, 2))
       integer :: i, j
 

@@ -6,13 +6,14 @@ module ehlwave_viscosity_law
    private
    public :: asymptotic_coefficient, film_forming_coefficient
 
-   real(dp), parameter, public :: largest_exponent = 600   !! of viscosity over that at ambient pressure: keeps exp()
+   real(dp), parameter, public :: largest_exponent = 600   !! largest ln of viscosity over its value at ambient
+                                                           !! pressure: keeps exp()
                                                            !! finite
 
    !> Viscosity against pressure and temperature. eta0 is the viscosity at ambient pressure and the reference
    !> temperature T0.
    type, abstract, public :: viscosity_law_t
-      real(dp) :: ambient_pa_s = 0                           !! eta0 where the law knows it, Pa s; else 0
+      real(dp) :: ambient_pa_s = 0                           !! eta0 where the law gives it, Pa s; else 0
       real(dp) :: largest_pressure_pa = huge(1.0_dp)         !! beyond it the law is extrapolated
    contains
       procedure(evaluate), deferred :: evaluate
@@ -37,9 +38,9 @@ module ehlwave_viscosity_law
 
    real(dp), parameter :: film_range = 3            ! in units of 1/alpha*
    integer, parameter :: most_panels = 200
-   real(dp), parameter :: growth = 1.3_dp           ! of a panel over the one before
+   real(dp), parameter :: growth = 1.3_dp           ! ratio of a panel to the one before
    real(dp), parameter :: first_panel = 0.25_dp     ! in units of 1/alpha at ambient pressure
-   real(dp), parameter :: negligible = 1e-14_dp     ! of the integral
+   real(dp), parameter :: negligible = 1e-14_dp     ! share of the integral
    integer, parameter :: panel_points = 16
 
 contains

@@ -1,4 +1,4 @@
-!> Tables of measured viscosities: what they may hold, and the curves through them.
+!> Tables of measured viscosities: validation, and the curves through them.
 module ehlwave_viscosity_table
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
@@ -11,19 +11,19 @@ module ehlwave_viscosity_table
 
    character(len=*), parameter, public :: pressure = 'pressure_pa', temperature = 'temperature_k'
    character(len=*), parameter :: viscosity = 'viscosity_pa_s'
-   real(dp), parameter :: coldest_k = 200, hottest_k = 700       ! of a table: others are not in kelvin
-   real(dp), parameter :: ambient_limit_pa = 5e6_dp              ! of the first pressure
+   real(dp), parameter :: coldest_k = 200, hottest_k = 700       ! range of a table: others are not in kelvin
+   real(dp), parameter :: ambient_limit_pa = 5e6_dp              ! largest value of the first pressure
    real(dp), parameter :: reach_pa = 5e7_dp                      ! least last pressure: others are not in pascals
    integer, parameter :: fewest = 4                              ! pressures of a temperature
 
 contains
 
-   !> Temperatures of a table, rising, and the curves of ln(eta/Pa s) over p at them. Its columns are pressure_pa,
-   !> viscosity_pa_s and, of more than one temperature, temperature_k. Fails on others, and on values that are no
+   !> Temperatures of a table, rising, and the curves of ln(eta/Pa s) over p at them. Columns: pressure_pa,
+   !> viscosity_pa_s and, for several temperatures, temperature_k. Fails on others, and on values that cannot be
    !> viscosities of a liquid.
    pure subroutine read_curves(table, list, curves, error)
       type(number_table_t), intent(in) :: table
-      real(dp), allocatable, intent(out) :: list(:)                  !! K; 0: the table does not say it
+      real(dp), allocatable, intent(out) :: list(:)                  !! K; 0: not given by the table
       type(monotone_curve_t), allocatable, intent(out) :: curves(:)
       type(error_t), allocatable, intent(inout) :: error
       real(dp), allocatable :: of_row(:)
@@ -42,7 +42,7 @@ contains
       end do
    end subroutine read_curves
 
-   !> Refuse a table that lacks a column or has one that means nothing.
+   !> Refuse a table that lacks a column or has an unknown one.
    pure subroutine check_columns(table, error)
       type(number_table_t), intent(in) :: table
       type(error_t), allocatable, intent(inout) :: error
@@ -62,7 +62,7 @@ contains
       if (missing /= '') call raise(error, table%path//': has no column '//missing//columns)
    end subroutine check_columns
 
-   !> Refuse a row with a value that cannot be what its column says.
+   !> Refuse a row with a value outside the range of its column.
    pure subroutine check_values(table, error)
       type(number_table_t), intent(in) :: table
       type(error_t), allocatable, intent(inout) :: error
@@ -100,10 +100,10 @@ contains
       end do
    end subroutine list_temperatures
 
-   !> Curve of one temperature. Viscosity must rise with pressure, from near ambient pressure on.
+   !> Curve at one temperature. Viscosity must rise with pressure, from near ambient pressure on.
    pure subroutine make_curve(table, rows, curve, error)
       type(number_table_t), intent(in) :: table
-      integer, intent(in) :: rows(:)              !! of the temperature
+      integer, intent(in) :: rows(:)              !! rows of the temperature
       type(monotone_curve_t), intent(out) :: curve
       type(error_t), allocatable, intent(inout) :: error
       integer :: i, n

@@ -7,17 +7,17 @@ module ehlwave_waviness
    public :: new_waviness, no_waviness, surface_waviness
 
    !> Waviness in dimensionless coordinates, theory eq. (12) and (13). With a measured surface the wavelengths are its
-   !> RMS average ones, by which the resolution is judged.
+   !> RMS averages, which decide the resolution.
    type, public :: waviness_t
       logical :: is_present = .false.
       real(dp) :: wavelength_x = 0   !! lambda_x/a; 0: no variation along X
       real(dp) :: wavelength_y = 0   !! lambda_y/b; 0: no variation along Y
       logical :: is_oblique = .false. !! cos(kx X + ky Y) in place of cos(kx X) cos(ky Y)
-      real(dp) :: start = -2.5_dp    !! Xs: where the front stands at T = 0
+      real(dp) :: start = -2.5_dp    !! Xs: position of the front at T = 0
       real(dp) :: slip = 1           !! speed in units of the mean speed: S = u1/ubar of the first surface, 2 - S of the
                                      !! second
-      real(dp) :: amplitude_over_film = 0   !! of waves: Ai over the smooth H(0,0)
-      type(surface_t), allocatable :: surface   !! the measured surface, if it is one
+      real(dp) :: amplitude_over_film = 0   !! amplitude of waves: Ai over the smooth H(0,0)
+      type(surface_t), allocatable :: surface   !! the measured surface, if any
    contains
       procedure :: moves
       procedure :: is_longitudinal
@@ -41,7 +41,7 @@ contains
       self%is_present = .false.
    end function no_waviness
 
-   !> A pattern with wavelengths in units of a and b; at least one of them positive.
+   !> A pattern with wavelengths in units of a and b; at least one is positive.
    pure function new_waviness(wavelength_x, wavelength_y, is_oblique, start, slip, amplitude_over_film) result(self)
       real(dp), intent(in) :: wavelength_x, wavelength_y   !! lambda_x/a, lambda_y/b; 0: infinite
       logical, intent(in) :: is_oblique                    !! one plane wave in place of a product
@@ -124,7 +124,7 @@ contains
    !>
    !>     10^(-10 max(0, Xhat/lambda)^2) cos(2 pi Xhat/lambda_x) cos(2 pi Y/lambda_y),  Xhat = X - Xs - S T
    !>
-   !> For a measured surface, what it adds to the gap in units of c: a peak takes away.
+   !> Contribution of a measured surface to the gap in units of c: a peak reduces it.
    pure function shape_at(self, x, y, t) result(shape)
       class(waviness_t), intent(in) :: self
       real(dp), intent(in) :: x(:), y(:)           !! node coordinates X, Y
@@ -150,8 +150,8 @@ contains
       shape = plane_pattern(self, x_hat, y, 0.0_dp)*spread(front, 2, size(y))
    end function shape_at
 
-   !> Pattern of unit amplitude that stands still, a crest of the given phase at the origin:
-   !> the argument of the cosine along X (along Y, if the pattern varies there only) is shifted by `phase`.
+   !> Stationary pattern of unit amplitude, a crest of the given phase at the origin: the argument of the cosine
+   !> along X (along Y, if the pattern varies only there) is shifted by `phase`.
    pure function shape_fixed(self, x, y, phase) result(shape)
       class(waviness_t), intent(in) :: self
       real(dp), intent(in) :: x(:), y(:)           !! node coordinates X, Y

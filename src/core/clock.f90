@@ -41,7 +41,7 @@ contains
       status = usleep(nint(1e6_dp*max(0.0_dp, seconds)))
    end subroutine rest_for
 
-   !> Largest resident memory of this process so far, MiB; 0 where the system does not tell.
+   !> Largest resident memory of this process so far, MiB; 0 where the system does not report it.
    function peak_memory_mib() result(mib)
       real(dp) :: mib
       character(len=128) :: line

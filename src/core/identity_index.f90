@@ -8,7 +8,7 @@ module ehlwave_identity_index
    integer, parameter, public :: identity_length = 16
 
    !> Open addressing with linear probing; the table is doubled when it is half full. Identities are hashes
-   !> already, so their own digits say where to look.
+   !> already, so their own digits give the place.
    type :: identity_index_t
       integer :: count = 0                                            !! identities added
       character(len=identity_length), allocatable, private :: key(:)
@@ -103,7 +103,7 @@ contains
       times_prime = ior(ishft(high, 32), iand(low, half))
    end function times_prime
 
-   !> Identity of numbers: that of their bytes.
+   !> Identity of numbers, from their bytes.
    pure function numbers_identity(numbers) result(identity)
       real(dp), intent(in) :: numbers(:)
       character(len=identity_length) :: identity

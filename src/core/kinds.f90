@@ -4,7 +4,7 @@ module ehlwave_kinds
    implicit none (type, external)
    private
    integer, parameter, public :: dp = real64   !! working precision
-   integer, parameter, public :: sp = real32   !! of what only preconditions
+   integer, parameter, public :: sp = real32   !! kind of work that only preconditions
    integer, parameter, public :: i8 = int64    !! long counters, clock ticks
    real(dp), parameter, public :: pi = acos(-1.0_dp)
    !> NaN: not known, not there

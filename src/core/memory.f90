@@ -7,12 +7,12 @@ module ehlwave_memory
    public :: can_allocate, memory_limit_mib, out_of_memory
 
    interface
-      !> End the program with a line on standard error and status 4. Our own allocations end so by themselves; this is
-      !> for those of libraries.
+      !> End the program with a line on standard error and status 4. Allocations of our own end so by themselves; this
+      !> procedure serves allocations of libraries.
       subroutine out_of_memory(bytes) bind(c, name='ehlwave_out_of_memory')
          import :: c_size_t
          implicit none (type, external)
-         integer(c_size_t), value :: bytes   !! that were asked for
+         integer(c_size_t), value :: bytes   !! requested bytes
       end subroutine out_of_memory
       integer(c_int) function c_can_allocate(bytes) bind(c, name='ehlwave_can_allocate')
          import :: c_int, c_size_t
@@ -33,8 +33,8 @@ contains
       can_allocate = c_can_allocate(bytes) /= 0
    end function can_allocate
 
-   !> Memory that this process can have at most, in MiB: by its limits (`ulimit -v`), those of its control groups, the
-   !> machine and its swap.
+   !> Most memory this process can have, in MiB: limits of the process (`ulimit -v`) and its control groups, machine
+   !> and swap.
    real(dp) function memory_limit_mib()
       memory_limit_mib = c_memory_limit()/2.0_dp**20
    end function memory_limit_mib

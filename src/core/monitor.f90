@@ -9,7 +9,7 @@ module ehlwave_monitor
    integer, parameter, public :: give_up = 2   !! it has had its time and ends as it is
 
    type, abstract :: monitor_t
-      integer :: request = go_on               !! what `step_done` wants the calculation to do
+      integer :: request = go_on               !! action that `step_done` requests
    contains
       procedure(step_done), deferred :: step_done
    end type monitor_t
@@ -20,7 +20,7 @@ module ehlwave_monitor
          import :: monitor_t
          implicit none (type, external)
          class(monitor_t), intent(inout) :: self
-         character(len=*), intent(in) :: stage   !! what is being computed, for a log line
+         character(len=*), intent(in) :: stage   !! stage of the computation, for a log line
          integer, intent(in) :: done, total      !! units finished, units in this stage
       end subroutine step_done
    end interface

@@ -15,8 +15,8 @@ module ehlwave_monotone_curve
       procedure :: evaluate
    end type monotone_curve_t
 
-   real(dp), parameter :: most_steep = 3        ! slope over that of a chord,
-   real(dp), parameter :: least_steep = 0.5_dp  ! the same at the ends
+   real(dp), parameter :: most_steep = 3        ! slope over the slope of a chord,
+   real(dp), parameter :: least_steep = 0.5_dp  ! likewise at the ends
 
 contains
 
@@ -43,7 +43,7 @@ contains
       end do
    end function new_monotone_curve
 
-   !> Slope of the parabola through three points at the one in the middle; 0 where the points turn.
+   !> Slope of the parabola through three points at the middle point; 0 where the points turn.
    pure real(dp) function inner_slope(before, after, h_before, h_after) result(slope)
       real(dp), intent(in) :: before, after       !! slopes of the chords
       real(dp), intent(in) :: h_before, h_after   !! their lengths along x
@@ -53,7 +53,7 @@ contains
       slope = sign(min(abs(slope), most_steep*min(abs(before), abs(after))), slope)
    end function inner_slope
 
-   !> Slope of the parabola through three points at the outer one of the first chord.
+   !> Slope of the parabola through three points at the outer point of the first chord.
    pure real(dp) function end_slope(chord, next, h, h_next) result(slope)
       real(dp), intent(in) :: chord, next   !! slopes of the chords
       real(dp), intent(in) :: h, h_next     !! their lengths along x

@@ -9,7 +9,7 @@ module ehlwave_number_table
    integer, parameter, public :: path_length = 512   !! longest name of a file
 
    type, public :: number_table_t
-      character(len=:), allocatable :: path          !! of the file; unallocated: nothing is read yet
+      character(len=:), allocatable :: path          !! name of the file; unallocated: nothing is read yet
       character(len=64), allocatable :: names(:)     !! (columns), lower case
       integer, allocatable :: line(:)                !! (rows) line number in the file
       real(dp), allocatable :: values(:, :)          !! (rows, columns)
@@ -22,7 +22,7 @@ module ehlwave_number_table
 
 contains
 
-   !> Whether the numbers are those of a file.
+   !> Whether the numbers are from a file.
    pure logical function is_from(self, path)
       class(number_table_t), intent(in) :: self
       character(len=*), intent(in) :: path

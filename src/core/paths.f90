@@ -38,7 +38,7 @@ contains
       is_same_file = c_is_same(one//c_null_char, other//c_null_char) /= 0
    end function is_same_file
 
-   !> The full name of what is there, without links, `.` and `..`; empty if it cannot be told.
+   !> Full name of a file or folder, without links, `.` and `..`; empty if it cannot be found.
    function real_path(path) result(full)
       character(len=*), intent(in) :: path
       character(len=:), allocatable :: full
@@ -47,7 +47,7 @@ contains
       full = buffer(:index(buffer, c_null_char) - 1)
    end function real_path
 
-   !> Whether what is there lies in a folder, at whatever depth.
+   !> Whether a path lies in a folder, at whatever depth.
    logical function is_within(path, folder)
       character(len=*), intent(in) :: path, folder
       character(len=:), allocatable :: above, full

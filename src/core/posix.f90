@@ -11,7 +11,7 @@ module ehlwave_posix
       reason_text, remove_file, replace_file, sync_file, try_file
 
    integer, parameter, public :: lock_taken = 0, lock_refused = 1, lock_absent = 2, lock_unwritable = -1
-   !> of a name
+   !> Kinds of names
    integer, parameter, public :: kind_none = 0, kind_file = 1, kind_folder = 2, kind_link = 3, kind_other = 4
 
    abstract interface
@@ -34,7 +34,7 @@ module ehlwave_posix
       end function of_file_and_text
    end interface
 
-   !> Wait until what was appended is on the disk. 0, or the system's error number.
+   !> Flush appended data to the disk. 0, or the system's error number.
    procedure(of_file), bind(c, name='ehlwave_sync') :: sync_file
    procedure(of_file), bind(c, name='ehlwave_close') :: close_file                !! 0, or the system's error number
    procedure(of_path), bind(c, name='ehlwave_create') :: c_create
@@ -112,7 +112,7 @@ module ehlwave_posix
 
 contains
 
-   !> CRC-32 of a text (that of zlib), 8 hexadecimal digits in lower case.
+   !> CRC-32 of a text (as in zlib), 8 hexadecimal digits in lower case.
    function checksum(text) result(digits)
       character(len=*), intent(in) :: text
       character(len=8) :: digits
@@ -130,7 +130,7 @@ contains
    integer(c_long) function find_character(text, character, back)
       character(len=*), intent(in) :: text
       character(len=1), intent(in) :: character
-      logical, intent(in) :: back              !! the last one
+      logical, intent(in) :: back              !! the last occurrence
       find_character = c_find(text, len(text, c_long), iachar(character, c_int), merge(1_c_int, 0_c_int, back))
    end function find_character
 
@@ -142,7 +142,7 @@ contains
       status = max(0, -file)
    end subroutine create_file
 
-   !> Append a text in one piece. `status` is 0 or the system's error number; then a part may be there.
+   !> Append a text in one piece. `status` is 0 or the system's error number; then a part may have been written.
    subroutine append_text(file, text, status)
       integer, intent(in) :: file
       character(len=*), intent(in) :: text
@@ -150,7 +150,7 @@ contains
       status = c_append(file, text, len(text, c_long))
    end subroutine append_text
 
-   !> Whether an error number says that nobody reads a pipe any more.
+   !> Whether an error number means that nobody reads a pipe any more.
    logical function is_broken_pipe(status)
       integer, intent(in) :: status
       is_broken_pipe = c_is_broken_pipe(status) /= 0
@@ -163,29 +163,28 @@ contains
       status = c_replace(path//c_null_char, text, len(text, c_long))
    end subroutine replace_file
 
-   !> Whether `replace_file` could make a file: `status` is 0 or the system's error number. What is there stays.
+   !> Whether `replace_file` could make a file: `status` is 0 or the system's error number. Existing files stay.
    subroutine try_file(path, status)
       character(len=*), intent(in) :: path
       integer, intent(out) :: status
       status = c_try(path//c_null_char)
    end subroutine try_file
 
-   !> Remove what `replace_file` has left in a folder where its process died; what another process writes at the moment
-   !> stays.
+   !> Remove leftovers of `replace_file` in a folder where its process died; files that another process is writing
+   !> stay.
    subroutine clear_temporaries(folder, of)
       character(len=*), intent(in) :: folder
       character(len=*), intent(in) :: of       !! name of the file, without its folder; empty: all files
       call c_clear(folder//c_null_char, of//c_null_char)
    end subroutine clear_temporaries
 
-   !> Whether a name, without its folder, is one that `replace_file` gives to what it is at work on.
+   !> Whether a name, without its folder, is a temporary name of `replace_file`.
    logical function is_temporary(name)
       character(len=*), intent(in) :: name
       is_temporary = c_is_temporary(name//c_null_char, c_null_char) /= 0
    end function is_temporary
 
-   !> The kind of file that has a name, links not followed: one of the kinds above; `kind_other` where it cannot be
-   !> looked at.
+   !> Kind of file of a name, links not followed: one of the kinds above; `kind_other` where it cannot be read.
    integer function file_kind(path)
       character(len=*), intent(in) :: path
       file_kind = c_kind(path//c_null_char)
@@ -227,7 +226,7 @@ contains
       status = c_remove(path//c_null_char)
    end subroutine remove_file
 
-   !> Names in a folder but for those that begin with a dot, one a line; not allocated when it cannot be read.
+   !> Names in a folder except names that begin with a dot, one per line; not allocated when it cannot be read.
    subroutine list_folder(path, names, status)
       character(len=*), intent(in) :: path
       character(len=:), allocatable, intent(out) :: names

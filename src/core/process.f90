@@ -1,4 +1,4 @@
-!> The process and what it loads: signals, ends, libraries that are loaded when they are asked for.
+!> Services of the process: signals, exits, libraries loaded on request.
 module ehlwave_process
    use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_long, c_null_char
    implicit none (type, external)
@@ -28,19 +28,17 @@ module ehlwave_process
       subroutine catch_signals() bind(c, name='ehlwave_catch_signals')
          implicit none (type, external)
       end subroutine catch_signals
-      !> End the program with an exit status and without a word, as `stop status, quiet=.true.` does, which gfortran
-      !> knows from 12 on.
+      !> End the program with an exit status silently, as `stop status, quiet=.true.` does from gfortran 12 on.
       subroutine end_program(status) bind(c, name='exit')
          import :: c_int
          implicit none (type, external)
          integer(c_int), value :: status
       end subroutine end_program
-      !> Do work of a library that may break down on what it is given: 0, or the signal that ended it; what it holds is
-      !> lost then.
+      !> Call a library procedure that may crash on its input: 0, or the signal that ended it; its memory is lost then.
       integer(c_int) function guarded(work) bind(c, name='ehlwave_guarded')
          import :: c_funptr, c_int
          implicit none (type, external)
-         type(c_funptr), value :: work     !! of a procedure without arguments
+         type(c_funptr), value :: work     !! address of a procedure without arguments
       end function guarded
       !> From now on it is an error of writing, and not the end of the process, that nobody reads its output any more or
       !> that a file would be longer than `ulimit -f` allows. At the end of the processor time (`ulimit -t`) a line is
@@ -96,8 +94,8 @@ contains
       reason = buffer(:index(buffer, c_null_char) - 1)
    end subroutine find_procedure
 
-   !> The text that a loaded library has under a name, as `fftw_version` of FFTW; empty if there is none. Without a
-   !> name: name and version of the C library, empty if it does not say.
+   !> Text that a loaded library has under a name, as `fftw_version` of FFTW; empty if none. Without a name: name
+   !> and version of the C library, empty if it gives none.
    function library_text(name) result(text)
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: text

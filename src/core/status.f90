@@ -10,7 +10,7 @@ module ehlwave_status
    integer, parameter, public :: status_diverged = 3    !! residual grew or film left the physical range
    integer, parameter, public :: status_not_finite = 4  !! NaN or infinity met
    integer, parameter, public :: status_pending = 5     !! not run yet
-   integer, parameter, public :: status_over_budget = 6 !! took longer than one case may, or needs more memory than
+   integer, parameter, public :: status_over_budget = 6 !! took longer than a case may, or needs more memory than
                                                         !! there is
    integer, parameter, public :: status_crashed = 7     !! its process died in two runs, so it is not tried again
    integer, parameter, public :: status_interrupted = 8 !! stopped from outside, to be continued

@@ -91,7 +91,7 @@ contains
       if (last < first - 1) last = len(text)
    end function next_line
 
-   !> Number of lines, the last one with or without its end.
+   !> Number of lines, the last line with or without its end.
    pure integer function count_lines(text)
       character(len=*), intent(in) :: text
       integer :: i

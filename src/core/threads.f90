@@ -15,8 +15,8 @@ module ehlwave_threads
 
    integer, parameter :: least_shared = 8192        !! values; to share fewer takes longer than to do the work
    integer, parameter, public :: row_block = 16     !! rows of a grid that a thread takes at once
-   integer, parameter, public :: most_threads = 256 !! that can be asked for
-   integer, parameter, public :: most_cores = 1024  !! of a machine, that are told apart
+   integer, parameter, public :: most_threads = 256 !! most threads that can be requested
+   integer, parameter, public :: most_cores = 1024  !! most cores of a machine that are distinguished
 
    integer, parameter :: patience = 1000            !! looks at the progress of another thread before the processor is
                                                     !! left to others
@@ -50,11 +50,11 @@ contains
       !$ can_share = .true.
    end function can_share
 
-   !> Threads in use from now on. None asked for: as many as the environment says (OMP_NUM_THREADS), else `cores`; never
-   !> more than `most_threads`.
+   !> Threads in use from now on. Without a request: as many as the environment sets (OMP_NUM_THREADS), else `cores`;
+   !> never more than `most_threads`.
    subroutine take_threads(asked_for, cores)
       integer, intent(in) :: asked_for            !! 0: none
-      integer, intent(in), optional :: cores      !! that this process has to itself; absent: all that it may use
+      integer, intent(in), optional :: cores      !! cores reserved for this process; absent: all that it may use
       character(len=16) :: environment
       integer :: threads
 
@@ -68,8 +68,8 @@ contains
       !$ call omp_set_num_threads(min(threads, most_threads))
    end subroutine take_threads
 
-   !> A line for the user where the environment asks for more threads than one contact can have, else ''. To be asked
-   !> before `take_threads`.
+   !> A line for the user where the environment asks for more threads than a contact can use, else ''. Call before
+   !> `take_threads`.
    function threads_notice(asked_for) result(notice)
       integer, intent(in) :: asked_for            !! by the input, 0: nothing
       character(len=:), allocatable :: notice
@@ -81,7 +81,7 @@ contains
    !> How much of each core this process has, of `users` processes that may use it: whole cores.
    pure integer function share_of_cores(is_mine, users) result(cores)
       integer, intent(in) :: is_mine(:)   !! 1 or 0, see `own_cores`
-      integer, intent(in) :: users(:)     !! of each core
+      integer, intent(in) :: users(:)     !! number of users of each core
       cores = max(1, int(sum(is_mine/real(max(users, 1), dp)) + 1e-6_dp))
    end function share_of_cores
 
@@ -111,7 +111,7 @@ contains
       !$ team_size = omp_get_num_threads()
    end function team_size
 
-   !> Let other threads know how far this one is, and see what it has written so far.
+   !> Publish the progress of this thread, and see the memory that the other has written so far.
    subroutine announce(progress, place)
       integer, intent(inout) :: progress
       integer, intent(in) :: place
@@ -123,7 +123,7 @@ contains
 
    !> Wait until another thread is so far.
    subroutine await(progress, place)
-      integer, intent(inout) :: progress   !! as the other one announces it
+      integer, intent(inout) :: progress   !! as announced by the other
       integer, intent(in) :: place
       integer(c_int) :: status
       integer :: looks, seen

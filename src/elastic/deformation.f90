@@ -41,7 +41,7 @@ module ehlwave_deformation
 
 contains
 
-   !> The same, of a change that need not be exact: in single precision where there is one.
+   !> Deformation for a change that need not be exact: in single precision where available.
    subroutine apply_single(self, p, d)
       class(deformation_t), intent(inout) :: self
       real(dp), intent(in), contiguous :: p(0:, 0:)
@@ -56,7 +56,7 @@ contains
       if (checks) call assert(.not. wave_number > 0 .and. self%work >= 0, 'vary_along: of a line contact')
    end subroutine vary_along
 
-   !> The one or the other.
+   !> Either method.
    subroutine deform(self, p, d, in_single)
       class(deformation_t), intent(inout) :: self
       real(dp), intent(in), contiguous :: p(0:, 0:)

@@ -16,7 +16,7 @@ module ehlwave_deformation_fft
       private
       type(double_convolution_t) :: double
       type(single_convolution_t) :: single
-      real(dp) :: operations = 0   ! of a convolution
+      real(dp) :: operations = 0   ! operations of a convolution
    contains
       procedure :: init
       procedure :: apply
@@ -53,7 +53,7 @@ contains
       call self%double%apply(p, d)
    end subroutine apply
 
-   !> The same in single precision: to about 1e-7 of the largest.
+   !> Deformation in single precision: to about 1e-7 of the largest.
    subroutine apply_single(self, p, d)
       class(deformation_fft_t), intent(inout) :: self
       real(dp), intent(in), contiguous :: p(0:, 0:)

@@ -22,7 +22,7 @@ module ehlwave_deformation_line
       real(dp) :: hx = 0
       real(dp), allocatable :: spectrum(:)   ! (modes) kernel transform over the padded length
       real(dp) :: along = 0                  ! wave number along the line of the pressures at hand
-      real(dp) :: known_along = 0            ! of the spectrum that follows
+      real(dp) :: known_along = 0            ! wave number of the spectrum below
       real(dp), allocatable :: spectrum_along(:)
       type(c_ptr) :: forward = c_null_ptr, backward = c_null_ptr
       type(c_ptr) :: real_memory = c_null_ptr, mode_memory = c_null_ptr

@@ -2,15 +2,15 @@
 !>
 !> Brandt and Lubrecht, J. Comput. Phys. 90 (1990) 348-370; Venner and Lubrecht, Multilevel Methods in
 !> Lubrication (2000), chapter 5. The sum D(i) = sum over k of K(i - k) P(k) with the cell kernel K is
-!> brought to every second node along one direction, the one with the smaller node distance in metres,
-!> again and again: first along the finer direction only when the cells are not square, then in turn.
+!> brought to every second node along a direction, first where the node distance in metres is smaller, again and
+!> again: first along the finer direction only when the cells are not square, then in turn.
 !>
 !>     P'   = (adjoint of interpolation) P                          anterpolate
 !>     u'   = sum over coarse nodes of K at coarse distances P'     the same again, or the sum itself
 !>     u    = interpolation of (u' + corrections) + corrections     interpolate_and_correct
 !>
-!> The corrections replace the interpolated kernel by the exact one near its singularity. What is neglected
-!> farther away is the error; it does not depend on how smooth P is. With all corrections the sum is exact.
+!> The corrections replace the interpolated kernel by the exact kernel near its singularity. The neglected far
+!> corrections are the error, which does not depend on how smooth P is. With all corrections the sum is exact.
 module ehlwave_deformation_mlmi
    use ehlwave_deformation, only: deformation_t
    use ehlwave_grid, only: grid_t
@@ -24,9 +24,9 @@ module ehlwave_deformation_mlmi
 
    integer, parameter :: most_levels = 40
 
-   !> Set the components before `init`; the defaults make an error well below that of the discretisation.
+   !> Set the components before `init`; the defaults make an error well below the discretisation error.
    type, extends(deformation_t), public :: deformation_mlmi_t
-      integer :: order = 8          !! of the transfers: 4, 6 or 8
+      integer :: order = 8          !! order of the transfers: 4, 6 or 8
       real(dp) :: reach = 0         !! radius of the corrections on the finest level in nodes; 0: by the grid
       integer :: levels = 0         !! number of levels, 1 is direct summation; 0: the cheapest
       type(mlmi_level_t), allocatable, private :: level(:)   ! finest first
@@ -65,9 +65,9 @@ contains
       self%level = level(:l)
    end subroutine init
 
-   !> Radius that makes the error fall as h^2: with a constant one it falls as h, with the radius about as
-   !> reach^(2 - order). At 256 by 256 cells the error is below a tenth of that of the discretisation (the
-   !> change of the Hertz deformation from 128 by 128 cells). Small grids cost nothing and get a fixed radius.
+   !> Radius that makes the error fall as h^2: with a constant radius it falls as h, and with growing radius about
+   !> as reach^(2 - order). At 256 by 256 cells the error is below a tenth of the discretisation error (the change
+   !> of the Hertz deformation from 128 by 128 cells). Small grids cost nothing and get a fixed radius.
    pure real(dp) function default_reach(order, grid)
       integer, intent(in) :: order
       type(grid_t), intent(in) :: grid

@@ -8,10 +8,10 @@ module ehlwave_fftw_answer
 
 contains
 
-   !> The answer, unless it is none: then the program ends for want of memory. FFTW gives no other reason.
+   !> The answer, unless empty: then the program ends for lack of memory. FFTW gives no other reason.
    function obtained(answer, values) result(same)
       type(c_ptr), intent(in) :: answer
-      integer(c_size_t), intent(in) :: values    !! of 16 bytes at most that were asked for, or that a plan is for
+      integer(c_size_t), intent(in) :: values  !! values of at most 16 bytes that were requested, or that a plan is for
       type(c_ptr) :: same
       if (.not. c_associated(answer)) call out_of_memory(16_c_size_t*values)
       same = answer

@@ -5,9 +5,8 @@ module ehlwave_kernel
    private
    public :: cell_influence, corner, line_wave_influence
 
-   !> Distance, in units of a, at which the deformation of a line contact counts as zero: that of a line load on a
-   !> half-space is determined but for a constant, which the mutual approach takes up. The kernel is positive on any
-   !> domain.
+   !> Distance, in units of a, at which the deformation of a line contact counts as zero. A line load deforms a
+   !> half-space up to a constant, which the mutual approach absorbs. The kernel is positive on any domain.
    real(dp), parameter, public :: line_reference = 16
 
 contains
@@ -17,7 +16,7 @@ contains
    !>
    !>     1/(pi K) int int dX' dY' / sqrt(kappa^2 (X - X')^2 + (Y - Y')^2)
    !>
-   !> Of a line contact, kappa = 0, for any dy, that of (L7):
+   !> For a line contact, kappa = 0, any dy gives (L7):
    !>
    !>     (2/pi) int ln(line_reference/|X - X'|) dX'
    elemental function cell_influence(dx, dy, hx, hy, kappa, k) result(d)
@@ -41,7 +40,7 @@ contains
       d = (corner(u2, v2) - corner(u1, v2) - corner(u2, v1) + corner(u1, v1))/(pi*k*kappa)
    end function cell_influence
 
-   !> The same of a line contact under P = cos(k Y), of the same wave along the line, theory eq. (W17):
+   !> Influence in a line contact under P = cos(k Y), a wave along the line, theory eq. (W17):
    !>
    !>     (2/pi) int K0(k |X - X'|) dX'
    pure real(dp) function line_wave_influence(dx, hx, wave_number) result(d)
@@ -61,7 +60,7 @@ contains
       real(dp), intent(in) :: u
       real(dp), parameter :: step = 0.25_dp
       integer, parameter :: most = 160             ! 1/cosh(40) is 1e-17
-      real(dp), parameter :: negligible = 45       ! -ln of what is left out
+      real(dp), parameter :: negligible = 45       ! -ln of the neglected part
       real(dp) :: bickley, c
       integer :: n
 
@@ -82,8 +81,8 @@ contains
       if (abs(u) > 0) f = u*(1 + log(line_reference/abs(u)))
    end function log_integral
 
-   !> Antiderivative in both arguments of 1/sqrt(u^2 + v^2): with u = kappa X and v = Y that of `cell_influence` over
-   !> 1/(pi K kappa).
+   !> Antiderivative in both arguments of 1/sqrt(u^2 + v^2): with u = kappa X and v = Y the integral of
+   !> `cell_influence` over 1/(pi K kappa).
    elemental function corner(u, v) result(f)
       real(dp), intent(in) :: u, v
       real(dp) :: f

@@ -14,8 +14,8 @@ module ehlwave_kernel_transform
 
    include 'fftw3.f03'
 
-   !> The kernel is even in X and Y, so that its transforms along X are real and even. Let k(j) be one of them, j the
-   !> distance along Y, of a wave number along X. A column p(0:ny) of the whole domain has the deformation
+   !> The kernel is even in X and Y, so that its transforms along X are real and even. Let k(j), j the distance along
+   !> Y, be the transform at a wave number along X. A column p(0:ny) of the whole domain has the deformation
    !>
    !>     d(j) = sum over i of k(j - i) p(i).
    !>
@@ -23,21 +23,20 @@ module ehlwave_kernel_transform
    !>
    !>     d(j) = sum over i of k(j - i) p(i) + sum over i of k(j + i) p(i),
    !>
-   !> the second a convolution of the mirrored column. Both kernels have the period py >= 2 ny, so that it takes
-   !> transforms of py values where those of the column and its mirror image would be twice as long. Where py = 2 ny,
-   !> distances 0 and 2 ny along the second are the same to it: it takes k(0), and what is wrong, between the outermost
-   !> nodes, is `corner`.
+   !> the second a convolution of the mirrored column. Both kernels have the period py >= 2 ny, so that transforms of
+   !> py values suffice. A column with its mirror image would need twice that length. Where py = 2 ny, distances 0 and
+   !> 2 ny along the second are the same to it: it takes k(0); `corner` corrects the error between the outermost nodes.
    type, public :: kernel_transform_t
       integer :: px = 0, py = 0                         !! even padded lengths along X and Y
       real(dp), allocatable :: direct(:, :)             !! (0:py/2, 0:px/2) transform of k(j - i), real and even, over
                                                         !! px py
-      complex(dp), allocatable :: mirrored(:, :)        !! (0:py/2, 0:px/2) of half a domain: that of k(j + i), over px
+      complex(dp), allocatable :: mirrored(:, :)  !! (0:py/2, 0:px/2) for half a domain: transform of k(j + i), over px
                                                         !! py
       real(dp), allocatable :: corner(:)                !! (0:px/2) of half a domain: k(2 ny) - k(0) where py = 2 ny,
                                                         !! else 0, over px
    end type kernel_transform_t
 
-   !> One plan, and a row or column with its transform for each thread. Must not be copied (it owns C memory).
+   !> A plan, and a row or column with its transform for each thread. Must not be copied (it owns C memory).
    type :: transforms_t
       integer :: threads = 1
       type(c_ptr) :: plan, memory(2)
@@ -47,7 +46,7 @@ module ehlwave_kernel_transform
 
 contains
 
-   !> Of the exact cell kernel on a grid; kappa and K of the contact.
+   !> Transform of the exact cell kernel on a grid; kappa and K of the contact.
    function new_kernel_transform(grid, kappa, k) result(self)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa   !! ellipticity a/b
@@ -87,9 +86,9 @@ contains
       end associate
    end function new_kernel_transform
 
-   !> Transforms along X of the influence at the distances j = 0 to `reach` along Y. The influence is that of distances
-   !> along X, mirrored in the middle. Four cells share a corner: each row of them is found once, for a part of the
-   !> rows.
+   !> Transforms along X of the influence at the distances j = 0 to `reach` along Y. The influence depends on distances
+   !> along X and is mirrored in the middle. Four cells share a corner: each row of them is found once, for a part of
+   !> the rows.
    subroutine transform_rows(grid, kappa, k, px, column)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, k

@@ -8,7 +8,7 @@ module ehlwave_mlmi_correction
 
    integer, parameter, public :: along_x = 1, along_y = 2   !! directions of coarsening
 
-   !> Kernel of a level: that of the cells of the finest grid at whole multiples of `stride` cells (injection).
+   !> Kernel of a level: kernel of the cells of the finest grid at whole multiples of `stride` cells (injection).
    type, public :: sampled_kernel_t
       real(dp) :: hx = 0, hy = 0       !! cell size of the finest grid
       real(dp) :: kappa = 1, k = 0     !! ellipticity a/b and complete elliptic integral
@@ -46,12 +46,12 @@ contains
    !>
    !> Far away K ~ A/r, A = hX hY/(pi K), and interpolation from nodes at distance s, 3 s, ... errs by
    !> C ~ A ((order - 1)!!)^2/(s (r/s)^(order + 1)): the value at r = reach on the finest level. On a coarser
-   !> level a node stands for n = stride(1) stride(2) of the finest, and a coefficient costs 1/n as much; so
-   !> that n C (error) over 1/n (cost) is the same on all levels the bound falls as 1/n^2. The radius then
-   !> grows by a factor 8^(1/(order + 1)) from one level to one coarser in both directions.
+   !> level a node represents n = stride(1) stride(2) of the finest, and a coefficient costs 1/n as much; so that n
+   !> C (error) over 1/n (cost) is the same on all levels the bound falls as 1/n^2. The radius then grows by a
+   !> factor 8^(1/(order + 1)) from a level to the next coarser in both directions.
    pure real(dp) function smallest_kept(self, order, reach)
       class(sampled_kernel_t), intent(in) :: self
-      integer, intent(in) :: order     !! of the interpolation
+      integer, intent(in) :: order     !! order of the interpolation
       real(dp), intent(in) :: reach    !! radius in the smaller node distance (in metres) of the finest grid
       integer :: s
       smallest_kept = self%hx*self%hy/(pi*self%k)/min(self%kappa*self%hx, self%hy)/real(product(self%stride), dp)**2 &
@@ -77,9 +77,9 @@ contains
    pure function new_correction(kernel, direction, order, smallest, cells) result(self)
       type(sampled_kernel_t), intent(in) :: kernel
       integer, intent(in) :: direction     !! along_x or along_y
-      integer, intent(in) :: order         !! of the interpolation: 4, 6 or 8
+      integer, intent(in) :: order         !! order of the interpolation: 4, 6 or 8
       real(dp), intent(in) :: smallest     !! corrections below this are left out
-      integer, intent(in) :: cells(2)      !! largest distance along X and Y that is wanted
+      integer, intent(in) :: cells(2)      !! largest distance needed along X and Y
       type(correction_t) :: self
       real(dp), allocatable :: c(:, :), table(:, :), transposed(:, :)
       integer :: d, e

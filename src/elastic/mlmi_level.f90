@@ -15,7 +15,7 @@ module ehlwave_mlmi_level
       integer :: first(2) = 0, last(2) = 0
       logical :: is_half = .false.
       integer :: direction = nowhere               !! along which every second node goes to the next level
-      integer :: order = 0                         !! of the transfers
+      integer :: order = 0                         !! order of the transfers
       type(sampled_kernel_t) :: kernel
       type(correction_t) :: correction
       real(dp), allocatable :: weight(:)           !! (order/2) of the midpoint interpolation
@@ -48,8 +48,8 @@ contains
    pure subroutine plan_coarser(self, direction, order, reach, coarse)
       class(mlmi_level_t), intent(inout) :: self
       integer, intent(in) :: direction             !! along_x or along_y
-      integer, intent(in) :: order                 !! of the transfers
-      real(dp), intent(in) :: reach                !! of the corrections, see `smallest_kept`
+      integer, intent(in) :: order                 !! order of the transfers
+      real(dp), intent(in) :: reach                !! reach of the corrections, see `smallest_kept`
       type(mlmi_level_t), intent(out) :: coarse
       integer :: cells(2)
 
@@ -76,7 +76,7 @@ contains
       sum_cost = product(n)**2*merge(1.5_dp, 0.75_dp, self%is_half)
    end function sum_cost
 
-   !> The same for the corrections of this level and the transfers to and from the next.
+   !> Cost of the corrections of this level and the transfers to and from the next.
    pure real(dp) function step_cost(self, order)
       class(mlmi_level_t), intent(in) :: self
       integer, intent(in) :: order
@@ -88,7 +88,7 @@ contains
    !> Kernel and work space of a level that is summed directly.
    pure subroutine make_coarsest(self, order)
       class(mlmi_level_t), intent(inout) :: self
-      integer, intent(in) :: order     !! of the transfers of the finer levels
+      integer, intent(in) :: order     !! orders of the transfers of the finer levels
       integer :: d, e, n, rows
 
       self%direction = nowhere
@@ -106,7 +106,7 @@ contains
       call make_arrays(self, 0, rows)
    end subroutine make_coarsest
 
-   !> Work space of a level that `plan_coarser` has made a coarser one for.
+   !> Work space of a level that `plan_coarser` has given a coarser level.
    pure subroutine make_coarsening(self, direction, order)
       class(mlmi_level_t), intent(inout) :: self
       integer, intent(in) :: direction, order
@@ -212,7 +212,7 @@ contains
       end do
    end subroutine mirror_pressure
 
-   !> The same for the result, as far as interpolation refers to it.
+   !> Mirror the result, as far as interpolation needs it.
    pure subroutine mirror_result(self)
       class(mlmi_level_t), intent(inout) :: self
       integer :: j

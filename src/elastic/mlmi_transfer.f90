@@ -40,7 +40,7 @@ contains
       call coarse%mirror_pressure()
    end subroutine anterpolate
 
-   !> Result u from that of the next level, u'; along the coarsened direction, with the sums over d and e,
+   !> Result u from the result of the next level, u'; along the coarsened direction, with the sums over d and e,
    !>
    !>     u'(I)    := u'(I) + sum over odd d of C(d, e) P(2I + d, e)
    !>     u(2I)     = u'(I)

@@ -29,20 +29,20 @@ module ehlwave_work_unit
 
    type(measured_unit_t) :: last         ! measured
 
-   !> Operations counted besides those of transforms, which count with their usual number of operations
-   !> (`transform_operations`), in operations that take as long: for each node or each entry of a node's row. From `perf
-   !> record` of a march and of a linear response (M = 100, D = 1, transverse, 0.5 a, 257 x 257 nodes), whose transforms
-   !> took 30 and 33 % of the time.
+   !> Operations counted besides transforms, per node or per entry of a node's row. The unit is the time of a transform
+   !> operation (`transform_operations`). Measured by `perf record` on a march and a linear response: M = 100, D = 1,
+   !> transverse, 0.5 a, 257 x 257 nodes.
    integer, parameter, public :: evaluation_operations = 450    !! a node: flow, residual and its right side
    integer, parameter, public :: place_operations = 500   !! a place (2 or 3 a face) of a flow that is not Newtonian;
                                                           !! Ree-Eyring measured
    integer, parameter, public :: point_operations = 60    !! a point across the film there, each time the oil is asked;
                                                           !! Carreau's takes 150
    integer, parameter, public :: fitted_operations = 250  !! a face of a fitted flux
-   integer, parameter, public :: relaxation_operations = 1000   !! a node: one sweep over lines and what follows
-   integer, parameter, public :: mlmi_operations = 450          !! a node: about that of FFT on 257 x 257 nodes
+   integer, parameter, public :: relaxation_operations = 1000   !! a node: one sweep over lines and the updates after it
+   integer, parameter, public :: mlmi_operations = 450          !! per node: about as FFT on 257 x 257 nodes
 
-   real(dp), parameter, public :: single_share = 0.7_dp   !! of a convolution in single precision, of one in double;
+   real(dp), parameter, public :: single_share = 0.7_dp   !! share of a single-precision convolution in a
+                                                          !! double-precision one;
                                                           !! measured: 0.67 to 0.72
 
    type, public :: work_weights_t
@@ -58,7 +58,7 @@ module ehlwave_work_unit
 
 contains
 
-   !> Operations of one work unit: the same for everybody, whatever the machine does meanwhile.
+   !> Operations of a work unit: the same on every machine, busy or not.
    elemental real(dp) function work_unit_operations(cells_x, cells_y)
       integer, intent(in) :: cells_x, cells_y   !! cells over the whole domain
       work_unit_operations = 2*transform_operations(4.0_dp*cells_x*cells_y)
@@ -71,8 +71,8 @@ contains
       transform_operations = anint(2.5_dp*n*log(n)/log(2.0_dp))
    end function transform_operations
 
-   !> Seconds to expect of the work of one unit on a grid, for plans. One small grid is timed, whatever is planned: that
-   !> takes some hundredths of a second and 8 MiB. It stays in cache, where finer grids do not.
+   !> Seconds to expect of a work unit on a grid, for plans. One small grid is timed, for any plan, in some hundredths
+   !> of a second and 8 MiB. It stays in cache, unlike finer grids.
    impure elemental real(dp) function expected_unit_seconds(cells_x, cells_y) result(seconds)
       integer, intent(in) :: cells_x, cells_y   !! cells over the whole domain
       real(dp) :: doublings
@@ -83,8 +83,8 @@ contains
 
    !> Seconds of one work unit (WU) here and now: the plain deformation convolution of a grid, that is
    !> a zero-padded real transform of 2 cells_x by 2 cells_y points, a product, and the inverse transform.
-   !> The fastest of a few, so that a busy machine does not flatter the counts. Asked for again soon, as by the cases of
-   !> a sweep, it is not measured anew.
+   !> The fastest of a few, so that a busy machine does not flatter the counts. A value measured shortly before, as in a
+   !> sweep, is used again.
    function work_unit_seconds(cells_x, cells_y) result(seconds)
       integer, intent(in) :: cells_x, cells_y   !! cells over the whole domain
       real(dp) :: seconds

@@ -1,5 +1,5 @@
 #define SCALAR complex(dp)
-!> Transfers of complex node values between a grid and the one with half as many cells.
+!> Transfers of complex node values between a grid and a grid with half as many cells.
 module ehlwave_complex_transfer
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp

@@ -8,21 +8,21 @@ module ehlwave_grid
    private
    public :: new_grid, new_line_grid
 
-   !> Nodes X(0:nx), Y(0:ny). On the outer boundary P = 0 or, of a flooded domain, that of the far field; unknown P at i
-   !> = 1..nx-1, j = first_row..last_row. On a half domain Y(0) = 0 is the line of symmetry and row 0 is unknown too.
+   !> Nodes X(0:nx), Y(0:ny). On the outer boundary P = 0 or, in a flooded domain, the far-field pressure; unknown P at
+   !> i = 1..nx-1, j = first_row..last_row. On a half domain Y(0) = 0 is the line of symmetry and row 0 is unknown too.
    !> The grid of a line contact has one dimension: ny = 0, and row 0 is its own neighbour across, so that differences
    !> along Y vanish.
    type, public :: grid_t
       integer :: nx = 0, ny = 0             !! cells along X; stored cells along Y
       real(dp) :: hx = 0, hy = 0            !! mesh sizes in X and Y
       logical :: is_half = .true.           !! whether only Y >= 0 is stored
-      logical :: is_line = .false.          !! whether it is that of a line contact
+      logical :: is_line = .false.          !! whether it is the grid of a line contact
       logical :: is_flooded = .false.       !! whether the edges have the pressure of the far field, else P = 0
       logical :: is_fitted = .false.        !! whether differences are fitted to steep inlets, see theory eq. (D11)
       integer :: row_ratio = 2              !! rows for one row of the next coarser grid
       integer :: first_row = 0, last_row = 0   !! rows with unknown pressure
       real(dp), allocatable :: x(:), y(:)   !! node coordinates, (0:nx), (0:ny)
-      real(dp), allocatable :: weight(:)    !! (0:ny) how many rows of the whole domain a stored row stands for
+      real(dp), allocatable :: weight(:)    !! (0:ny) number of rows of the whole domain that a stored row represents
    contains
       procedure :: below
       procedure :: above
@@ -34,8 +34,8 @@ module ehlwave_grid
       procedure :: value_at_centre
    end type grid_t
 
-   !> Width of the strip that stands for a line contact: under the Hertz pressure of a line, (1 - X^2)^(1/2), it bears
-   !> what an elliptical contact bears under its own, int P dX dY = 2 pi/3, so that one load balance serves both.
+   !> Width of the strip that represents a line contact: under the Hertz pressure of a line, (1 - X^2)^(1/2), it bears
+   !> the load of an elliptical contact, int P dX dY = 2 pi/3, so that one load balance serves both.
    real(dp), parameter, public :: strip_width = 4/3.0_dp
 
 contains
@@ -167,7 +167,7 @@ contains
       integral = integral*self%hx*self%hy
    end function real_integral
 
-   !> The same of a complex field.
+   !> Integral of a complex field.
    complex(dp) function complex_integral(self, field) result(integral)
       class(grid_t), intent(in) :: self
       complex(dp), intent(in) :: field(0:, 0:)

@@ -50,7 +50,7 @@ contains
       end do
    end function supply_on
 
-   !> Share of the layer that the profile has at Y: 1 without one.
+   !> Share of the layer in the profile at Y: 1 without profile.
    pure real(dp) function share_at(self, y) result(share)
       class(inlet_oil_t), intent(in) :: self
       real(dp), intent(in) :: y
@@ -67,7 +67,7 @@ contains
       end associate
    end function share_at
 
-   !> Exact mean of the profile between two Y: 1 without one.
+   !> Exact mean of the profile between two Y: 1 without profile.
    pure real(dp) function mean_share(self, from, to) result(share)
       class(inlet_oil_t), intent(in) :: self
       real(dp), intent(in) :: from, to       !! Y; equal: the value there

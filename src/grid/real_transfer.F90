@@ -1,5 +1,5 @@
 #define SCALAR real(dp)
-!> Transfers of real node values between a grid and the one with half as many cells.
+!> Transfers of real node values between a grid and a grid with half as many cells.
 module ehlwave_real_transfer
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp

@@ -49,7 +49,7 @@ contains
       call third%move_to(other)
    end subroutine exchange
 
-   !> Give the fields to another state, without a copy. This one has none afterwards.
+   !> Move the fields to another state without a copy; this state is left empty.
    pure subroutine move_to(self, other)
       class(state_t), intent(inout) :: self
       class(state_t), intent(inout) :: other

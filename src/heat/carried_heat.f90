@@ -11,7 +11,7 @@ module ehlwave_carried_heat
 contains
 
    !> Heat that the oil carries off from each node, through its sides and across all levels, in the unit of heat flows
-   !> into the surfaces. Oil that a node gains or loses by itself, the first one by its difference of first order, takes
+   !> into the surfaces. Oil that a node gains or loses by itself, the first node by its first-order difference, takes
    !> the rise of the node.
    pure function carried_heat(energy, grid, kappa) result(heat)
       type(energy_t), intent(in) :: energy

@@ -29,7 +29,7 @@ contains
       self%before = self%rise
    end subroutine begin
 
-   !> The oil as it is now is that of the time before from now on.
+   !> Make the present oil the oil of the earlier time.
    pure subroutine pass(self, problem, state)
       class(earlier_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem   !! with its temperatures

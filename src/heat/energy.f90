@@ -24,7 +24,7 @@ module ehlwave_energy
    type, extends(heat_rows_t), public :: energy_t
       real(dp) :: heat_difference = huge(1.0_dp)    !! relative change of the heat of shear, which goes with friction
       real(dp) :: film_difference = huge(1.0_dp)    !! relative change of H(0,0) since, which who solves for it writes
-      real(dp), private :: heat = 0                 ! of shear
+      real(dp), private :: heat = 0                 ! heat of shear
    contains
       procedure :: start_in_time
       procedure :: pass_time
@@ -66,11 +66,11 @@ contains
       end associate
    end subroutine warm_problem
 
-   !> After marches of a steady state: let the next be those of a time later by dT, theory eq. (T9).
+   !> After marches of a steady state: prepare the march to a time later by dT, theory eq. (T9).
    pure subroutine start_in_time(self, problem, state, dt)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
-      type(state_t), intent(in) :: state       !! the steady one
+      type(state_t), intent(in) :: state       !! the steady state
       real(dp), intent(in) :: dt
       real(dp) :: speed
       integer :: wall
@@ -88,7 +88,7 @@ contains
       call self%earlier%begin(problem, state, dt)
    end subroutine start_in_time
 
-   !> Let them be those of the time after the last ones.
+   !> Advance the earlier temperatures to the last time.
    pure subroutine pass_time(self, problem, state)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
@@ -102,16 +102,16 @@ contains
       call self%earlier%pass(problem, state)
    end subroutine pass_time
 
-   !> Temperatures as they went on in the last step: a first guess of those of the next.
+   !> Extrapolate temperatures from the last step: a first guess for the next.
    pure subroutine look_ahead(self, problem)
       class(energy_t), intent(in) :: self
       type(contact_problem_t), intent(inout) :: problem
       problem%heat%rise = 2*self%earlier%rise - self%earlier%before
    end subroutine look_ahead
 
-   !> One march at a state: temperatures of the problem, whose source is linearised about those before. Nothing flows
-   !> back from downstream of all film under pressure: there, on request, rises are those of the last node before, until
-   !> `finish`.
+   !> March at a state: temperatures of the problem, with the source linearised about the previous temperatures. Nothing
+   !> flows back from downstream of all film under pressure: there, on request, rises equal the last node's before,
+   !> until `finish`.
    subroutine march(self, problem, state, flow, until_film_ends)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem

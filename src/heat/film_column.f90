@@ -1,4 +1,4 @@
-!> Temperature across the film at one node, by what its neighbours and the surfaces upstream are: theory eq. (D9).
+!> Temperature across the film at a node, from its neighbours and the surfaces upstream: theory eq. (D9).
 module ehlwave_film_column
    use ehlwave_film_levels, only: add_source, film_levels_t, most_levels
    use ehlwave_film_shear, only: made_by_own, made_by_stress, made_heat, made_stress_by_rise
@@ -12,20 +12,20 @@ module ehlwave_film_column
 
    !> A node. Arrays (0:levels), per unit of zeta.
    type, public :: column_t
-      real(dp), allocatable :: own(:)          !! what the flow through the sides takes with it of the node's own rise,
-      real(dp), allocatable :: brought(:)      !! what it brings with that of its neighbours,
-      real(dp), allocatable :: net(:)          !! and the oil that it takes, less what it brings
-      real(dp) :: own_share = 0                !! of the change of a level's source that follows its own rise; the rest
+      real(dp), allocatable :: own(:)          !! loss by the flow through the sides, times the node's own rise,
+      real(dp), allocatable :: brought(:)      !! gain from the neighbours' rises,
+      real(dp), allocatable :: net(:)          !! net oil taken, inflow less outflow
+      real(dp) :: own_share = 0  !! share of the change of a level's source that follows its own rise; the rest
                                                !! follows the mean
-      real(dp) :: convection = 0               !! of `heat_scales_t`, times H
+      real(dp) :: convection = 0               !! convection of `heat_scales_t`, times H
       real(dp) :: h = 0
       real(dp) :: wall_before(2) = 0           !! rise of surfaces 1 and 2 by the heat upstream
-      real(dp) :: wall_own(2) = 0              !! and by a unit of heat flow here
+      real(dp) :: wall_own(2) = 0              !! rise of each surface by a unit of heat flow here
    end type column_t
 
 contains
 
-   !> One that nothing flows through, without heat, between cold surfaces.
+   !> A column without flow and heat, between cold surfaces.
    pure function new_column(n) result(self)
       integer, intent(in) :: n                 !! intervals across
       type(column_t) :: self
@@ -40,7 +40,7 @@ contains
    pure subroutine solve_column(column, levels, made, before, rise, into_wall)
       type(column_t), intent(in) :: column
       type(film_levels_t), intent(in) :: levels
-      real(dp), intent(in), contiguous :: made(0:, :)  !! of `film_shear_t`, at
+      real(dp), intent(in), contiguous :: made(0:, :)  !! source of `film_shear_t`, at
       real(dp), intent(in), contiguous :: before(0:)   !! this rise
       real(dp), intent(out), contiguous :: rise(0:)    !! K
       real(dp), intent(out) :: into_wall(2)
@@ -73,7 +73,7 @@ contains
             diagonal(k) = diagonal(k) - own
             right(k) = right(k) - own*before(k) + stress(k)*(weight*stress_before)
          end do
-         ! what is left at the surfaces goes into them: H q = right - diagonal theta - beside theta'
+         ! Heat left at the surfaces enters them: H q = right - diagonal theta - beside theta'
          wall_diagonal = [diagonal(n), diagonal(0)]
          wall_beside = [below(n), above(0)]
          wall_right = [right(n), right(0)]
@@ -110,11 +110,11 @@ contains
       integer, intent(in) :: n                         !! intervals across,
       real(dp), intent(in) :: d                        !! each of this size
       real(dp), intent(out), dimension(0:n) :: below, diagonal, above, right
-      real(dp), parameter :: still = 1e-100_dp         ! of the convection, to divide by
+      real(dp), parameter :: still = 1e-100_dp         ! floor of the convection, to divide by
       real(dp) :: across(0:most_levels), gained, largest, upstream
       integer :: k
 
-      gained = -0.5_dp*(c%net(0) + c%net(n))           ! of the Reynolds equation
+      gained = -0.5_dp*(c%net(0) + c%net(n))           ! oil gained, as in the Reynolds equation
       do k = 0, n
          gained = gained + c%net(k)
       end do
@@ -139,7 +139,7 @@ contains
          above(k) = 0.5_dp*c%convection*(across(k) - upstream) - 1/d
          below(k + 1) = -0.5_dp*c%convection*(across(k) + upstream) - 1/d
       end do
-      do k = 0, n - 1                                  ! what goes up from a level, and what comes down to the next
+      do k = 0, n - 1                                  ! flow up from a level, and down to the next
          diagonal(k) = diagonal(k) - below(k + 1)
       end do
       do k = 1, n
@@ -147,8 +147,8 @@ contains
       end do
    end subroutine convect
 
-   !> Flow along X into a node from that before and out to that beyond. It takes the rise of the node that it leaves
-   !> and half of its difference to the one before that; flow back takes the rise of the node beyond.
+   !> Flow along X into a node from the node before and out to the next. It takes the rise of the node that it
+   !> leaves and half of its difference to the previous node; flow back takes the rise of the node beyond.
    pure subroutine pass_along(column, scale, into, out, farther, before, beyond)
       type(column_t), intent(inout) :: column
       real(dp), intent(in) :: scale

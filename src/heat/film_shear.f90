@@ -15,18 +15,18 @@ module ehlwave_film_shear
    type, public :: film_shear_t
       real(dp), allocatable :: u(:, :, :), v(:, :, :)   !! rho H times velocity along X and along Y over ubar
       real(dp), allocatable :: made(:, :, :, :)         !! (0:levels, 4, 0:nx, 0:ny), see below
-      real(dp), allocatable :: shear_heat(:, :)         !! that of shear alone, integrated across the film
-      real(dp), allocatable :: pressure_heat(:, :)      !! that of compression
+      real(dp), allocatable :: shear_heat(:, :)         !! heat of shear alone, integrated across the film
+      real(dp), allocatable :: pressure_heat(:, :)      !! heat of compression
    end type film_shear_t
 
-   !> Of `made`: the source of heat of shear and of compression, K, and how it changes with the rise under a given
-   !> sliding speed, theory eq. (D10): by the own rise of a level, by the stress, and the stress by all rises.
+   !> Columns of `made`: the source of heat of shear and of compression, K, and its change with the rise under a
+   !> given sliding speed, theory eq. (D10): by the own rise of a level, by the stress, and the stress by all rises.
    integer, parameter, public :: made_heat = 1, made_by_own = 2, made_by_stress = 3, made_stress_by_rise = 4
 
    !> P from which on all of the film is sheared: nodes at its edge would switch their heat on and off.
    real(dp), parameter :: full_pressure = 1e-4_dp
 
-   !> State of one node.
+   !> State of a node.
    type :: node_t
       real(dp) :: h, fluidity, gx, gy, b
       real(dp) :: mean(2), sigma(2), flow(2)            ! stresses, 1/2 integral zeta s sigma dzeta
@@ -45,7 +45,7 @@ contains
       allocate (self%pressure_heat, source=self%shear_heat)
    end function new_film_shear
 
-   !> Those of a state of a problem that is warm. Where the film is cavitated nothing is sheared.
+   !> Sources for a state of a warm problem. Cavitated film has no shear.
    pure subroutine shear_film(self, problem, state, levels, scales, by_time)
       class(film_shear_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
@@ -98,7 +98,7 @@ contains
       end associate
    end function surface_speeds
 
-   !> One node. The velocity is the integral of the rate of shear; what the levels leave of the difference between the
+   !> Source at a node. The velocity is the integral of the rate of shear; the remaining difference between the
    !> surfaces is spread evenly. The heat of shear has the exact integral, sigma_m B + Sigma flow.
    pure subroutine shear_node(self, problem, levels, scales, node, p, i, j)
       type(film_shear_t), intent(inout) :: self
@@ -129,7 +129,7 @@ contains
                s(k) = s(k)*w
             end do
          end if
-         do k = 0, n                          ! of the oil as warm as it is here
+         do k = 0, n                          ! fluidity of the oil at the local temperature
             w = exp(problem%heat%ln_fluidity(k, i, j))
             s(k) = s(k)*w
             slope(k) = slope(k)*w
@@ -165,7 +165,7 @@ contains
             stiffness = stiffness + levels%weight(k)*(s(k) + 2*slope(k)*sigma_x(k)**2)
          end do
 
-         ! of the heat, that of sliding is relieved
+         ! Share of the heat by which sliding is relieved
          share = min(max(node%mean(1)*node%b/made, 0.0_dp), 1.0_dp)
          do k = 0, n
             self%made(k, made_by_own, i, j) = share*heat(k)*problem%heat%thinning(k, i, j)

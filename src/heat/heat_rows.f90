@@ -17,20 +17,21 @@ module ehlwave_heat_rows
    implicit none (type, external)
    private
 
-   !> The film and the surfaces on a grid, with what heats and carries them.
+   !> The film and the surfaces on a grid, with heat sources and convection.
    type, public :: heat_rows_t
       type(film_levels_t) :: levels
       type(heat_scales_t) :: scales
       type(film_shear_t) :: shear
       type(layer_flux_t) :: flux
-      real(dp), allocatable :: rise(:, :, :)        !! of the last march, K, (0:levels, 0:nx, 0:ny)
+      real(dp), allocatable :: rise(:, :, :)        !! rises of the last march, K, (0:levels, 0:nx, 0:ny)
       real(dp), allocatable :: into_wall(:, :, :)   !! d theta/d zeta over H, into surfaces 1 and 2, (2, 0:nx, 0:ny)
-      real(dp) :: difference = huge(1.0_dp)         !! of its mean rise from that before, over the largest
+      real(dp) :: difference = huge(1.0_dp)         !! change of its mean rise from the previous march, over the largest
       integer, allocatable :: until(:)              !! last node of each row that a march comes to, (0:ny)
       type(earlier_t), allocatable :: earlier       !! absent: the steady state
-      type(wall_history_t), allocatable :: walls(:) !! of surfaces 1 and 2, by what heat into them is beside that of the
-                                                    !! steady state; with `earlier`
-      real(dp), allocatable :: steady_rise(:, :, :), steady_heat(:, :, :)   !! of surfaces 1 and 2 and into them then,
+      type(wall_history_t), allocatable :: walls(:) !! history of surfaces 1 and 2, by the difference of heat into
+                                                    !! them from the steady state; with `earlier`
+      real(dp), allocatable :: steady_rise(:, :, :), steady_heat(:, :, :)   !! rises of surfaces 1 and 2 and heat into
+                                                                            !! them then,
                                                                             !! (2, 0:nx, 0:ny)
    contains
       procedure :: march_rows
@@ -60,12 +61,12 @@ contains
       end do
    end subroutine march_rows
 
-   !> One row, from a node on. Where oil flows back, columns are solved upstream and downstream in turn.
+   !> A row, from a node on. Where oil flows back, columns are solved upstream and downstream in turn.
    pure subroutine march_row(self, grid, kappa, w, h, f, before, j, from)
       class(heat_rows_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
-      real(dp), intent(in), contiguous :: w(0:)    !! of `wall_weights`, backward
+      real(dp), intent(in), contiguous :: w(0:)    !! weights of `wall_weights`, backward
       real(dp), intent(in), contiguous :: h(0:), f(0:)   !! H and rho H of the row, (0:nx)
       real(dp), intent(in), contiguous :: before(0:, 0:) !! rise at which the source is known, (0:levels, 0:nx)
       integer, intent(in) :: j
@@ -102,13 +103,12 @@ contains
       self%into_wall(:, :, j) = transpose(q)
    end subroutine march_row
 
-   !> One node. Flows through its sides take the rise from upstream, of second order; oil that flows back along X of
-   !> first.
+   !> A node. Flows through its sides take the rise from upstream, of second order; backflow along X of first order.
    pure subroutine solve_node(self, grid, kappa, h, f, w, q, before, i, j, column)
       class(heat_rows_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, h, f          !! H and rho H of the node
-      real(dp), intent(in), contiguous :: w(0:)    !! of `wall_weights`, backward
+      real(dp), intent(in), contiguous :: w(0:)    !! weights of `wall_weights`, backward
       real(dp), intent(inout), contiguous :: q(0:, :)    !! heat flows into surfaces 1 and 2 of the row
       real(dp), intent(in), contiguous :: before(0:)     !! rise at which the source is known
       integer, intent(in) :: i, j

@@ -1,7 +1,7 @@
 !> Flow of the oil through the faces between nodes, layer by layer across the film.
 !>
-!> A layer lies about each level, half as thick at the surfaces. The flows of the layers of a face add up to that of the
-!> Reynolds equation, so that the oil is conserved; their shares are those of the velocities at both nodes.
+!> A layer lies about each level, half as thick at the surfaces. The flows of the layers of a face add up to the flow of
+!> the Reynolds equation, so that oil is conserved; their shares follow the velocities at both nodes.
 module ehlwave_layer_flux
    use ehlwave_film_levels, only: film_levels_t
    use ehlwave_film_shear, only: film_shear_t

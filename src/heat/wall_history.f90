@@ -1,9 +1,9 @@
 !> Rise of a surface that moves along X under a heat flow that changes in time: a half-space that conducts into its
 !> depth alone, theory eq. (T10).
 !>
-!> A point of the surface remembers the heat that it has taken since it came under the film. The kernel s^(-1/2) is that
-!> of the last step, exact for flows that are linear in it, and before it a sum of exponentials, each of which goes on
-!> with the surface from step to step.
+!> A point of the surface accumulates the heat taken since it came under the film. The kernel s^(-1/2) applies to the
+!> last step, exact for flows that are linear in it, and before it a sum of exponentials, each of which goes on with the
+!> surface from step to step.
 module ehlwave_wall_history
    use ehlwave_kinds, only: dp, pi
    use ehlwave_lagrange, only: lagrange_weights
@@ -13,15 +13,15 @@ module ehlwave_wall_history
 
    type, public :: wall_history_t
       real(dp) :: own = 0                             !! rise by a unit of heat flow at the end of a step
-      real(dp), allocatable :: rise(:, :)             !! that by all heat before, (0:nx, 0:ny)
+      real(dp), allocatable :: rise(:, :)             !! rise by all earlier heat, (0:nx, 0:ny)
       real(dp), allocatable :: heat(:, :)             !! flow at the last step, now at nodes that it has come to
       real(dp), allocatable :: modes(:, :, :)         !! integral of the flow times an exponential, (0:nx, 0:ny, modes)
       real(dp), private :: unit = 0                   ! rise over the integral of the flow times s^(-1/2)
       real(dp), private :: shift = 0                  ! cells that the surface moves in a step
       real(dp), private :: dt = 0
-      real(dp), allocatable, private :: weight(:)     ! of modes,
-      real(dp), allocatable, private :: decay(:)      ! what a step leaves of them,
-      real(dp), allocatable, private :: late(:), early(:)  ! and what flows at its end and at its start add
+      real(dp), allocatable, private :: weight(:)     ! weights of modes,
+      real(dp), allocatable, private :: decay(:)      ! decay in a step,
+      real(dp), allocatable, private :: late(:), early(:)  ! gain by the flow at its end and at its start
    contains
       procedure :: take
       procedure :: go_on
@@ -30,9 +30,9 @@ module ehlwave_wall_history
    ! Rates of the exponentials are mu^2 with mu = e^y, in equal steps of y: s^(-1/2) = 2/sqrt(pi) integral exp(-mu^2 s)
    ! d mu has an error of 2e-4 then.
    real(dp), parameter :: step = 0.5_dp
-   real(dp), parameter :: slowest = 0.3_dp            ! mu times the root of the longest time; slower ones are one
+   real(dp), parameter :: slowest = 0.3_dp            ! mu times the root of the longest time; slower modes are merged
    real(dp), parameter :: fastest = 12                ! mu^2 times a step
-   integer, parameter :: points = 4                   ! of the interpolation between nodes
+   integer, parameter :: points = 4                   ! points of the interpolation between nodes
 
 contains
 
@@ -40,8 +40,8 @@ contains
    pure function new_wall_history(nx, ny, hx, speed, dt, unit) result(self)
       integer, intent(in) :: nx, ny
       real(dp), intent(in) :: hx
-      real(dp), intent(in) :: speed        !! of the surface
-      real(dp), intent(in) :: dt           !! of a step
+      real(dp), intent(in) :: speed        !! speed of the surface
+      real(dp), intent(in) :: dt           !! length of a step
       real(dp), intent(in) :: unit         !! rise over the integral of the flow over X times X^(-1/2)
       type(wall_history_t) :: self
       real(dp), allocatable :: rate(:)
@@ -79,7 +79,7 @@ contains
       if (z < small) late_share = 0.5_dp - z/6 + z**2/24
    end function late_share
 
-   !> That of (1 - s) exp(-z (1 - s)).
+   !> Early share of (1 - s) exp(-z (1 - s)).
    pure real(dp) function early_share(z)
       real(dp), intent(in) :: z
       real(dp), parameter :: small = 1e-3_dp
@@ -123,7 +123,7 @@ contains
       nx = ubound(field, 1)
       first = -floor(shift) - points/2                ! the first of the nodes between which it was, from that it is at
       weight = lagrange_weights(points, -shift - first)
-      last_weight = lagrange_weights(points, -shift - first + 1)   ! of slow surfaces at the last node
+      last_weight = lagrange_weights(points, -shift - first + 1)   ! weights of slow surfaces at the last node
       row(:-1) = 0
       do j = 0, ubound(field, 2)
          row(0:) = field(:, j)

@@ -50,7 +50,7 @@ contains
          if (any(options == name)) then
             if (equal > longest) then
                i = i + 1
-               call get_command_argument(i, value, length)      ! blank after the last one
+               call get_command_argument(i, value, length)      ! blank after the last argument
                if (length > longest) value = ''
             end if
             if (value /= '') call refuse_blank_end(merge(argument, value, equal <= longest), length, error)
@@ -66,10 +66,10 @@ contains
       end do
    end subroutine read_arguments
 
-   !> Refuse what ends in a blank, which Fortran leaves out: another file would be read or written.
+   !> Refuse a value that ends in a blank, which Fortran drops: another file would be read or written.
    subroutine refuse_blank_end(argument, length, error)
       character(len=*), intent(in) :: argument
-      integer, intent(in) :: length                 !! of it, as it was given
+      integer, intent(in) :: length                 !! length as given
       type(error_t), allocatable, intent(inout) :: error
       if (length > len_trim(argument)) call raise(error, "'"//shown(argument(:length))// &
          "' ends in a blank, which would be left out: give it without")

@@ -17,8 +17,8 @@ module ehlwave_csv
       character(len=cell_length), allocatable :: names(:)      !! (columns), lower case
       integer, allocatable :: line(:)                          !! (rows) line number in the file
       character(len=:), allocatable, private :: text
-      integer, allocatable, private :: first(:), last(:)       ! of each cell in the text, at least as many as there are
-      integer, private :: count = 0                            ! of cells
+      integer, allocatable, private :: first(:), last(:)       ! ends of each cell in the text; the arrays may be longer
+      integer, private :: count = 0                            ! number of cells
    contains
       procedure :: cell
       procedure :: place
@@ -42,7 +42,7 @@ contains
       if (.not. allocated(error)) call parse_csv(path, text, table, error)
    end subroutine read_csv
 
-   !> The same from a text that is at hand already.
+   !> Parse a table from a text in memory.
    subroutine parse_csv(path, text, table, error)
       character(len=*), intent(in) :: path   !! where the text is from, for messages
       character(len=*), intent(in) :: text

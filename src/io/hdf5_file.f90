@@ -1,4 +1,4 @@
-!> One HDF5 file being written: datasets with units, names and dimensions that xarray reads.
+!> An HDF5 file open for writing: datasets with units, names and dimensions that xarray reads.
 !>
 !> The status of every call of the library that makes or writes something counts. The file is made in memory; `finish`
 !> writes it, waits for the disk and only then gives it its name, so that a reader never sees a broken file. (The
@@ -167,7 +167,7 @@ contains
       has = has .and. status >= 0
    end function has
 
-   !> Properties of a new dataset: long ones are compressed, in chunks that are compressed one by one.
+   !> Properties of a new dataset: long datasets are compressed chunk by chunk.
    integer(hid_t) function storage(self, extent) result(properties)
       class(hdf5_file_t), intent(inout) :: self
       integer(hsize_t), intent(in) :: extent(:)
@@ -187,15 +187,16 @@ contains
       call self%note(status)
    end function storage
 
-   !> One dataset and what belongs to it: units, long_name and its scales.
+   !> A dataset with its attributes: units, long_name and its scales.
    subroutine write_values(self, name, in_memory, in_file, extent, values, units, long_name, scale, second_scale, &
       third_scale)
       type(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, units, long_name
       integer(hid_t), intent(in) :: in_memory, in_file       !! types
-      integer(hsize_t), intent(in) :: extent(:)              !! empty: one value without dimension
+      integer(hsize_t), intent(in) :: extent(:)              !! empty: a scalar without dimension
       type(c_ptr), intent(in) :: values                      !! contiguous
-      character(len=*), intent(in), optional :: scale, second_scale, third_scale   !! of the first dimension, and so on
+      character(len=*), intent(in), optional :: scale, second_scale, third_scale   !! names of the first dimension, and
+                                                                                   !! so on
       integer(hid_t) :: id, properties, space
       integer :: status(6)
 
@@ -232,17 +233,18 @@ contains
       call self%note(status)
    end subroutine attach
 
-   !> Real values over as many dimensions as they have. In the file (C order) the first one comes last.
+   !> Real values over as many dimensions as they have. In the file (C order) the first comes last.
    subroutine write_reals(self, name, values, units, long_name, scale, second_scale, third_scale)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, units, long_name
       real(dp), intent(in), target, contiguous :: values(..)
-      character(len=*), intent(in), optional :: scale, second_scale, third_scale   !! of the first dimension, and so on
+      character(len=*), intent(in), optional :: scale, second_scale, third_scale   !! names of the first dimension, and
+                                                                                   !! so on
       call write_values(self, name, h5t_native_double, h5t_native_double, shape(values, hsize_t), c_loc(values), &
          units, long_name, scale, second_scale, third_scale)
    end subroutine write_reals
 
-   !> Whole numbers, one or over one dimension.
+   !> Whole numbers: a scalar, or values over a dimension.
    subroutine write_integers(self, name, values, units, long_name, scale)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, units, long_name
@@ -252,8 +254,8 @@ contains
          units, long_name, scale)
    end subroutine write_integers
 
-   !> Texts over one dimension, in a fixed length, padded with nulls in the file. The attribute _Encoding is what xarray
-   !> knows text from bytes by.
+   !> Texts over one dimension, in a fixed length, padded with nulls in the file. By the attribute _Encoding xarray
+   !> distinguishes text from bytes.
    subroutine write_texts(self, name, values, units, long_name, scale)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, units, long_name

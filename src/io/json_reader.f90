@@ -78,7 +78,7 @@ contains
       end select
    end function json_number
 
-   !> A string without its quotes and escapes; what is not a string as it is.
+   !> A string without its quotes and escapes; other values unchanged.
    pure function json_string(text) result(value)
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: value

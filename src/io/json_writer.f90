@@ -83,7 +83,7 @@ contains
       json = '"'//buffer(:n)//'"'
    end function string_json
 
-   !> Bytes of the UTF-8 character, beyond ASCII, at the start of `text`; 0 when it is not one (RFC 3629).
+   !> Bytes of the UTF-8 character, beyond ASCII, at the start of `text`; 0 for invalid bytes (RFC 3629).
    pure function utf8_bytes(text) result(bytes)
       character(len=*), intent(in) :: text
       integer :: bytes

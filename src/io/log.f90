@@ -10,7 +10,7 @@ module ehlwave_log
 
    real(dp), parameter :: interval_s = 5   !! between two lines of the same stage
 
-   !> One time-stamped line every few seconds.
+   !> A time-stamped line every few seconds.
    type, extends(monitor_t), public :: log_monitor_t
       logical :: is_quiet = .false.
       real(dp), private :: last_s = -1e30_dp

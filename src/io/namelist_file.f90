@@ -1,10 +1,9 @@
-!> An input file in Fortran namelist format: its groups and keys, their lines, and the unknown ones.
+!> An input file in Fortran namelist format: its groups and keys, their lines, known and unknown.
 !>
-!> The reader is our own because a compiler's reports nearly all mistakes as 'End of file' and lets NaN,
-!> 1d400, empty values and doubled keys pass. Use: `load`, then `value_of` or `values_of` for every key there
-!> is, then `check_all_used`. The keys asked for are the keys known; no other list is needed. All of
-!> these do nothing when `error` is already allocated, so that one check after the last is enough.
-!> Names do not depend on case.
+!> This reader exists because compilers report nearly all mistakes as 'End of file' and accept NaN, 1d400, empty
+!> values and doubled keys. Use: `load`, then `value_of` or `values_of` for every key, then `check_all_used`. The
+!> requested keys are the known keys; no other list is needed. With `error` allocated these procedures do nothing,
+!> so that a single check at the end is enough. Names do not depend on case.
 module ehlwave_namelist
    use ehlwave_errors, only: error_t, raise
    use ehlwave_namelist_known, only: known_names_t
@@ -147,7 +146,7 @@ contains
       character(len=*), intent(in) :: group, key
       character(len=:), allocatable, intent(in) :: problem   !! unallocated: none
       type(error_t), allocatable, intent(inout) :: error
-      integer, intent(in), optional :: line                  !! of the value; without, that of the key is named
+      integer, intent(in), optional :: line                  !! line of the value; without, the line of the key is named
       character(len=:), allocatable :: where
 
       if (.not. allocated(problem)) return

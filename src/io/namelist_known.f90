@@ -1,4 +1,4 @@
-!> Known groups and keys, and advice about unknown ones.
+!> Known groups and keys, and advice about unknown names.
 module ehlwave_namelist_known
    use ehlwave_identity_index, only: identity_index_t, text_identity
    use ehlwave_namelist_scanner, only: name_length
@@ -9,8 +9,8 @@ module ehlwave_namelist_known
    public :: known_names_t
 
    type :: known_names_t
-      character(len=name_length), allocatable, private :: groups(:), keys(:)   !! of each key, lower case
-      type(identity_index_t), private :: index                                !! of both, in the order of asking
+      character(len=name_length), allocatable, private :: groups(:), keys(:)   !! names of groups and keys, lower case
+      type(identity_index_t), private :: index                                !! index of both, in order of request
    contains
       procedure :: learn
       procedure :: group_problem
@@ -32,7 +32,7 @@ contains
       self%keys = [character(len=name_length) :: self%keys, lower_case(key)]
    end subroutine learn
 
-   !> Empty for a known group; otherwise what is wrong and what to change.
+   !> Empty for a known group; otherwise the problem and the change needed.
    pure function group_problem(self, group) result(problem)
       class(known_names_t), intent(in) :: self
       character(len=name_length), intent(in) :: group
@@ -46,7 +46,7 @@ contains
          advice(group, groups, '&', 'groups')
    end function group_problem
 
-   !> Empty for a known key of a known group; otherwise what is wrong and what to change.
+   !> Empty for a known key of a known group; otherwise the problem and the change needed.
    function key_problem(self, group, key) result(problem)
       class(known_names_t), intent(in) :: self
       character(len=name_length), intent(in) :: group, key   !! the group is known

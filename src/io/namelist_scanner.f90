@@ -3,7 +3,7 @@
 !> Format: groups `&name ... /` of `key = value[, value...]`, comments from `!` to the end of the line,
 !> text in ' or " with the quote doubled inside, repeat counts `3*1.0`. Stricter than a Fortran
 !> namelist: nothing but comments outside groups, no key or group twice, no empty values, no array
-!> elements, text in quotes stays on one line and a word without quotes is never text.
+!> elements, text in quotes stays on one line and unquoted words are never text.
 module ehlwave_namelist_scanner
    use ehlwave_errors, only: error_t, raise
    use ehlwave_identity_index, only: identity_index_t, text_identity
@@ -14,28 +14,28 @@ module ehlwave_namelist_scanner
    public :: contents_t, scan_namelist, value_t
 
    integer, parameter, public :: name_length = 63   !! longest name of a group or key
-   integer, parameter :: max_values = 100000        !! in one file, repeat counts included
+   integer, parameter :: max_values = 100000        !! per file, repeat counts included
 
    type :: group_t
       character(len=name_length) :: name = ''       !! in lower case
       integer :: line = 0
    end type group_t
 
-   !> One `key = values`.
+   !> An entry, `key = values`.
    type :: entry_t
       character(len=name_length) :: group = '', key = ''   !! in lower case
       integer :: line = 0
-      integer :: first = 1, last = 0                !! its values in the list of all values; at least one
+      integer :: first = 1, last = 0                !! its values in the list of all values; at least 1
    end type entry_t
 
-   !> One value, without quotes and repeat count.
+   !> A value, without quotes and repeat count.
    type :: value_t
       character(len=:), allocatable :: text
       logical :: is_quoted = .false.
       integer :: line = 0
    end type value_t
 
-   !> Groups, entries and values in the order of the file; lists are longer than what is in use.
+   !> Groups, entries and values in the order of the file; lists may be longer than their content.
    type :: contents_t
       type(group_t), allocatable :: groups(:)
       type(entry_t), allocatable :: entries(:)
@@ -47,7 +47,7 @@ module ehlwave_namelist_scanner
       procedure :: entry_place
    end type contents_t
 
-   !> The entries found so far, the token at hand and the one after it.
+   !> The entries found so far, the present token and the next.
    type, extends(cursor_t) :: scanner_t
       type(token_t) :: token, after
       type(contents_t) :: found
@@ -94,7 +94,7 @@ contains
       end if
    end subroutine scan_namelist
 
-   !> Go one token further; after an error to the end of the text.
+   !> Go to the next token; after an error to the end of the text.
    subroutine shift(s)
       type(scanner_t), intent(inout) :: s
       s%token = s%after
@@ -102,7 +102,7 @@ contains
       if (allocated(s%error)) s%token%kind = end_of_text
    end subroutine shift
 
-   !> One group from '&' to '/'.
+   !> A group from '&' to '/'.
    subroutine take_group(s)
       type(scanner_t), intent(inout) :: s
       type(group_t) :: group
@@ -128,7 +128,7 @@ contains
       call shift(s)
    end subroutine take_group
 
-   !> One key with its '=' and all its values, up to the next key or the end of the group.
+   !> A key with its '=' and all its values, up to the next key or the end of the group.
    subroutine take_key(s, group)
       type(scanner_t), intent(inout) :: s
       type(group_t), intent(in) :: group
@@ -166,13 +166,13 @@ contains
       s%found%entries(s%found%n_entries) = entry
    end subroutine take_key
 
-   !> Whether the token at hand is a key, and not a value of the one before.
+   !> Whether the present token is a key, not a value of the previous key.
    pure logical function begins_key(s)
       type(scanner_t), intent(in) :: s
       begins_key = s%token%kind == word .and. scan(s%after%kind, '=(') > 0
    end function begins_key
 
-   !> Say why there is no key where one could be.
+   !> Raise the reason why a key is missing here.
    subroutine refuse_token(s, group)
       type(scanner_t), intent(inout) :: s
       type(group_t), intent(in) :: group

@@ -16,11 +16,11 @@ module ehlwave_namelist_tokens
       character(len=1) :: kind = end_of_text      !! `word`, `quoted`, `end_of_text` or one of & / , = (
       character(len=:), allocatable :: text       !! as written, without quotes
       integer :: line = 0
-      logical :: is_attached = .false.            !! nothing stands between this token and the one before
+      logical :: is_attached = .false.            !! no blank between this token and the previous one
    end type token_t
 
-   !> A place in a text, and the first thing that is wrong with the text. What is read after that is of no meaning, so
-   !> one check at the end is enough.
+   !> A place in a text, and the first error in the text. Later tokens have no meaning, so a single check at the end
+   !> is enough.
    type :: cursor_t
       character(len=:), allocatable :: path       !! for messages
       character(len=:), allocatable :: text
@@ -101,7 +101,7 @@ contains
       text = self%text(first:self%at - 1)
    end subroutine take_word
 
-   !> Text between quotes; a doubled quote stands for one.
+   !> Text between quotes; a doubled quote gives a single quote.
    subroutine take_quoted(self, text)
       class(cursor_t), intent(inout) :: self
       character(len=:), allocatable, intent(out) :: text
@@ -120,7 +120,7 @@ contains
             if (self%next() /= mark) then
                text = line(:length)
                return
-            end if                                 ! of two quotes one is kept
+            end if                                 ! keep one of two quotes
          end if
          if (length == len(line)) line = line//line   ! room for as many again
          length = length + 1

@@ -1,7 +1,7 @@
 !> Values as written in an input file, turned into numbers, logicals and text.
 !>
-!> Each procedure leaves `problem` unallocated on success; otherwise it says what is wrong with the
-!> value and what to write instead, and the value returned must not be used.
+!> Each procedure leaves `problem` unallocated on success; otherwise it holds the problem and the correct form, and
+!> the value returned must not be used.
 module ehlwave_namelist_values
    use ehlwave_kinds, only: dp, i8
    use ehlwave_namelist_scanner, only: value_t
@@ -109,7 +109,7 @@ contains
       is_integer = len(text) > sign_length(text) .and. verify(text(sign_length(text) + 1:), digits) == 0
    end function is_integer
 
-   !> [sign] digits with at most one point, then an exponent or nothing
+   !> [sign] digits with at most one point, then an optional exponent
    pure logical function is_real(text)
       character(len=*), intent(in) :: text
       associate (mantissa => text(sign_length(text) + 1:mantissa_end(text)), exponent => text(mantissa_end(text) + 2:))

@@ -25,7 +25,7 @@ contains
       character(len=*), intent(in) :: inputs(:)   !! files that the run reads; blank: none
       logical, intent(in) :: overwrites
       type(error_t), allocatable, intent(inout) :: error
-      character(len=*), intent(in), optional :: format   !! of the results that are replaced without a word; absent: all
+      character(len=*), intent(in), optional :: format  !! format of the results that are replaced silently; absent: all
       logical, intent(in), optional :: has_store         !! whether the results are written anew from a store
       integer :: slash
 
@@ -52,7 +52,7 @@ contains
       end select
    end subroutine check_output_path
 
-   !> Results are HDF5, and their names say so: no two of them have the same store then, either.
+   !> Results are HDF5 and have that suffix, so that no two of them share a store.
    subroutine check_output_name(path, error)
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error

@@ -1,6 +1,6 @@
 !> Whether a file is a result of the programs, which may be replaced without a word.
 !>
-!> A file that cannot be read now is not taken for a foreign one: see `found_unreadable`.
+!> A file that cannot be read at present does not count as foreign: see `found_unreadable`.
 module ehlwave_own_result
    use, intrinsic :: iso_c_binding, only: c_funloc, c_loc, c_ptr
    use ehlwave_hdf5_reading, only: has_hdf5_signature, open_hdf5
@@ -13,7 +13,7 @@ module ehlwave_own_result
    private
    public :: is_own_result, look_at_result
 
-   !> Kinds of what `look_at_result` finds under a name.
+   !> Kinds of files that `look_at_result` finds.
    integer, parameter, public :: found_own = 1         !! a result of the programs
    integer, parameter, public :: found_foreign = 2     !! no HDF5 file, or none of ours
    integer, parameter, public :: found_damaged = 3     !! begins as HDF5 files do, and the library cannot open it
@@ -35,7 +35,7 @@ contains
    !> Whether a regular file is a result: HDF5 with the attributes `format` and `program_version` of the programs.
    logical function is_own_result(path, format)
       character(len=*), intent(in) :: path
-      character(len=*), intent(in), optional :: format   !! the one that it has to be; absent: any
+      character(len=*), intent(in), optional :: format   !! required kind; absent: any
       character(len=:), allocatable :: reason
       integer :: found
       call look_at_result(path, found, reason, format)
@@ -45,9 +45,9 @@ contains
    !> Find out the kind of a file; something other than a regular file is foreign.
    subroutine look_at_result(path, found, reason, format)
       character(len=*), intent(in) :: path
-      integer, intent(out) :: found                                !! one of the kinds above
+      integer, intent(out) :: found                                !! a kind from above
       character(len=:), allocatable, intent(out) :: reason         !! system's words where the file is unreadable
-      character(len=*), intent(in), optional :: format             !! the only one that counts as own; absent: any
+      character(len=*), intent(in), optional :: format             !! the only kind that counts as own; absent: any
       logical :: is_hdf5
 
       found = found_foreign

@@ -10,7 +10,7 @@ module ehlwave_provenance_list
 
 contains
 
-   !> Add what there is to know, all of it texts.
+   !> Add all provenance, as texts.
    subroutine add_provenance(list)
       type(quantity_list_t), intent(inout) :: list
       call list%add('program_version', 'version of the program', program_version)
@@ -52,7 +52,7 @@ contains
          fftw = fftw(6:)
          text = 'FFTW '//fftw(:scan(fftw//'-', '-') - 1)
       else
-         text = built_with('FFTW')                       ! in the program itself, or a library that stands in for it
+         text = built_with('FFTW')                       ! in the program itself, or a library that replaces it
       end if
       call h5get_libversion_f(number(1), number(2), number(3), status)
       write (hdf5, '(a,i0,2(".",i0))') 'HDF5 ', number
@@ -72,7 +72,7 @@ contains
       if (i > 0) text = library_versions(i:i + scan(library_versions(i:)//',', ',') - 2)
    end function built_with
 
-   !> The model of the processor as Linux knows it, else "unknown".
+   !> The model of the processor as Linux reports it, else "unknown".
    function processor() result(text)
       character(len=:), allocatable :: text
       character(len=200) :: line

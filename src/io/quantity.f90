@@ -13,7 +13,7 @@ module ehlwave_quantity
       character(len=kind_length) :: kind = ''        !! 'real', 'integer', 'logical', 'text', or 'list' of real numbers
       logical :: exists = .true.                     !! false: only others have it
       character(len=:), allocatable :: error_of      !! result whose relative error it is, for people
-      real(dp) :: number = no_value                  !! of all kinds but text and list; true is 1, false 0, NaN: unknown
+      real(dp) :: number = no_value  !! value of all kinds but text and list; true is 1, false 0, NaN: unknown
       character(len=:), allocatable :: text
       real(dp), allocatable :: list(:)
    end type quantity_t
@@ -43,7 +43,7 @@ contains
       end do
    end function find
 
-   !> Add a real number, a whole one, a logical or a text, which is kept with its trailing blanks.
+   !> Add a real or whole number, a logical, or a text, which is kept with its trailing blanks.
    subroutine add(self, name, long_name, value, unit, exists, error_of)
       class(quantity_list_t), intent(inout) :: self
       character(len=*), intent(in) :: name, long_name
@@ -77,7 +77,7 @@ contains
       call append(self, item)
    end subroutine add
 
-   !> Add a logical that may be unknown: one that is not allocated is.
+   !> Add a logical that may be unknown (not allocated).
    subroutine add_truth(self, name, long_name, value, exists)
       class(quantity_list_t), intent(inout) :: self
       character(len=*), intent(in) :: name, long_name
@@ -88,7 +88,7 @@ contains
       if (allocated(value)) self%items(self%count)%number = merge(1, 0, value)
    end subroutine add_truth
 
-   !> Add a list of real numbers; one that is not allocated does not exist.
+   !> Add a list of real numbers; it is absent if not allocated.
    subroutine add_list(self, name, long_name, value)
       class(quantity_list_t), intent(inout) :: self
       character(len=*), intent(in) :: name, long_name

@@ -64,7 +64,7 @@ contains
       end select
    end function value_json
 
-   !> The value of a quantity from JSON, by its kind; missing ones are NaN or empty.
+   !> The value of a quantity from JSON, by its kind; missing values are NaN or empty.
    subroutine take_json(text, quantity)
       character(len=*), intent(in) :: text
       type(quantity_t), intent(inout) :: quantity

@@ -15,8 +15,8 @@ module ehlwave_surface_file
    private
    public :: read_surface_file
 
-   real(dp), parameter :: most_points = 5e7_dp   !! of height: 400 MB
-   real(dp), parameter :: most_compressed = 1100 !! bytes that deflate makes one of, at most (1032), and a little
+   real(dp), parameter :: most_points = 5e7_dp   !! most points of a height: 400 MB
+   real(dp), parameter :: most_compressed = 1100 !! most bytes that deflate packs into a byte (1032), and a little
    integer(size_t), parameter :: largest_number = 16   !! bytes; damaged files claim numbers of gigabytes
    real(dp), parameter :: always_read = 1e5_dp   !! points, whatever the file holds of them
 
@@ -33,8 +33,8 @@ contains
 
    !> Read heights(nx, ny), m, positive out of the material, and the steps of `x` and `y`, m; step_y is 0 when ny = 1.
    !>
-   !> In the file (C order) y comes first. Fails when the file or one of height, x and y is missing or of another
-   !> shape, or when steps are not uniform.
+   !> In the file (C order) y comes first. Fails when the file, height, x or y is missing or of another shape, or
+   !> when steps are not uniform.
    subroutine read_surface_file(path, height, step_x, step_y, error)
       character(len=*), intent(in) :: path
       real(dp), allocatable, intent(out) :: height(:, :)

@@ -30,15 +30,15 @@ contains
       end do
    end subroutine say_lines
 
-   !> An error message, in one line that a terminal can show.
+   !> An error message as a single line that a terminal can show.
    subroutine complain(program, message)
       character(len=*), intent(in) :: program, message
       write (error_unit, '(a)') program//': '//shown(message, most_printed)
    end subroutine complain
 
-   !> Print the last line of the output, or a text that is all of it. `is_written` tells whether it and all before it
-   !> have arrived: Fortran's own output does not notice a full disk, but what it could not write it tries again before
-   !> each line that follows. A reader who has seen enough and closed the pipe, as `head` does, is no error.
+   !> Print the last line of the output, or a text that is all of it. `is_written` returns whether all output has
+   !> arrived, since Fortran's own output does not notice a full disk. A reader that closed the pipe, as `head` does,
+   !> is no error.
    subroutine print_last(line, is_written)
       character(len=*), intent(in) :: line
       logical, intent(out) :: is_written

@@ -1,4 +1,4 @@
-!> A text stored as the lines in which it differs from another one.
+!> A text stored as the lines in which it differs from another text.
 module ehlwave_text_difference
    use ehlwave_text, only: next_line, to_text
    implicit none (type, external)
@@ -9,8 +9,8 @@ module ehlwave_text_difference
 
 contains
 
-   !> Lines of `text` that differ from those of `base`, as NUMBER:LINE; all of it, after a `=`, when the two have
-   !> not the same number of lines.
+   !> Lines of `text` that differ from those of `base`, as NUMBER:LINE; all of it, after a `=`, when the numbers of
+   !> lines differ.
    function text_difference(base, text) result(difference)
       character(len=*), intent(in) :: base, text   !! every line ended
       character(len=:), allocatable :: difference

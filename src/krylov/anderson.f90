@@ -6,22 +6,22 @@ module ehlwave_anderson
    private
 
    integer, parameter :: depth = 3                     ! differences that are kept
-   real(dp), parameter :: least_pivot = 1e-6_dp        ! of normal equations whose diagonal is 1
-   real(dp), parameter :: largest_weight = 3           ! of a difference; beyond, it is not used
+   real(dp), parameter :: least_pivot = 1e-6_dp        ! least pivot of normal equations whose diagonal is 1
+   real(dp), parameter :: largest_weight = 3           ! weight of a difference; beyond, it is not used
 
-   !> The last iterations. Values are (k, places); a place has one weight.
+   !> The last iterations. Values are (k, places); each place has a weight.
    type, public :: anderson_t
       private
       integer :: kept = 0
       real(sp), allocatable :: by_f(:, :, :), by_g(:, :, :)     ! differences of f = g(x) - x and of g, newest first
-      real(sp), allocatable :: f(:, :), g(:, :)                 ! of the last iteration
+      real(sp), allocatable :: f(:, :), g(:, :)                 ! f and g of the last iteration
    contains
       procedure :: mix
    end type anderson_t
 
 contains
 
-   !> Take the place of g(x) by the combination of the last ones whose f is least.
+   !> Replace g(x) by the combination of the last iterates with the least f.
    pure subroutine mix(self, k, places, weight, x, g)
       class(anderson_t), intent(inout) :: self
       integer, intent(in) :: k, places

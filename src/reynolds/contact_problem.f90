@@ -1,4 +1,4 @@
-!> A contact on one grid: everything but the unknowns and what its solution is given.
+!> A contact on one grid: everything except the unknowns and the data of a particular solution.
 module ehlwave_contact_problem
    use ehlwave_conditions, only: conditions_t
    use ehlwave_deformation, only: deformation_t
@@ -50,7 +50,7 @@ contains
       call self%set_conditions(conditions, rheology)
    end subroutine init
 
-   !> All of it that knows no oil.
+   !> Its parts that are independent of the oil.
    subroutine lay_out(self, grid, conditions)
       class(contact_problem_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
@@ -125,8 +125,8 @@ contains
       end do
    end subroutine smooth_film
 
-   !> Film of a first guess. Surfaces that overlap, as those of thin films on grids that are too coarse for them, are
-   !> opened to the film of the formula at the closest point: where there is no film no equation makes sense.
+   !> Film of a first guess. Overlapping surfaces, as with thin films on grids too coarse for them, are opened to the
+   !> film of the formula at the closest point: where there is no film no equation makes sense.
    subroutine film_of_guess(self, given, guess)
       class(contact_problem_t), intent(inout) :: self
       type(given_t), intent(in) :: given

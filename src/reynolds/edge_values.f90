@@ -1,8 +1,8 @@
-!> Pressure at the edges of a flooded domain: that of the far field for the film there.
+!> Pressure at the edges of a flooded domain: the far-field pressure for the film there.
 !>
 !> Theory eq. (F5): with the reduced pressure q = A/H^2 of the far field (`ehlwave_far_field`) and an oil that thickens
-!> by exp(alpha P) at these low pressures, P = -ln(1 - alpha q)/alpha: one more equation for each node of the edges.
-!> Edges of a truncated domain have no such nodes, P = 0 there.
+!> by exp(alpha P) at these low pressures, P = -ln(1 - alpha q)/alpha: an additional equation for each edge node. Edges
+!> of a truncated domain have no such nodes, P = 0 there.
 !>
 !> H counts without roughness: of waves that pass an edge the far field sees the mean (Ad/Ai, M = 20, L = 5, D = 1, on
 !> the paper's domain: 0.05 % off in place of 0.28 %).
@@ -22,12 +22,12 @@ module ehlwave_edge_values
    !> The nodes, and the far field there.
    type, public :: edge_values_t
       integer, allocatable :: i(:), j(:)        !! nodes
-      integer, allocatable :: link(:)           !! of `poiseuille_links` by which the next node inside sees it, 0 for
+      integer, allocatable :: link(:)  !! index in `poiseuille_links` by which the next node inside sees it, 0 for
                                                 !! corners
       real(dp), allocatable :: strength(:)      !! A
-      real(dp) :: load = 0                      !! borne outside the domain, over the nominal one
+      real(dp) :: load = 0                      !! load outside the domain, over the nominal load
       real(dp), private :: thickening = 0       ! alpha: d ln(eta)/dP at P = 0
-      real(dp), private :: x_min = 0, y_max = 0 ! where what lies outside begins, as `far_field_t%outside` takes them
+      real(dp), private :: x_min = 0, y_max = 0 ! start of the outside region, as for `far_field_t%outside`
       type(far_field_t), private :: far
    contains
       procedure :: count => count_nodes
@@ -58,7 +58,7 @@ contains
       self%thickening = rheology%thickening()
       self%far = new_far_field(conditions, self%thickening)
       self%x_min = grid%x(0) - 0.5_dp*grid%hx
-      self%y_max = merge(grid%hy, grid%y(grid%ny) + 0.5_dp*grid%hy, grid%is_line)   ! of a line the strip's width
+      self%y_max = merge(grid%hy, grid%y(grid%ny) + 0.5_dp*grid%hy, grid%is_line)   ! for a line the strip's width
       self%load = self%far%load_outside(self%x_min, self%y_max)
       self%i = [(0, j=0, grid%ny)]
       self%j = [(j, j=0, grid%ny)]
@@ -88,7 +88,7 @@ contains
       node = [self%i(k) + inner_i(self%link(k)), self%j(k) + inner_j(self%link(k))]
    end function inner
 
-   !> By how much the pressures at the edges exceed those of the far field, and how fast the latter fall with the film.
+   !> By how much the pressures at the edges exceed the far-field pressures, and how fast the latter fall with the film.
    pure subroutine compare(self, given, p, h, excess, slope)
       class(edge_values_t), intent(in) :: self
       type(given_t), intent(in) :: given
@@ -124,7 +124,7 @@ contains
       self%load = self%load*count(.not. is_dry)/max(size(is_dry), 1)
    end subroutine run_dry
 
-   !> Places outside the domain, out to `times` its size: the areas dX dY that they stand for, H and alpha q of the far
+   !> Places outside the domain, out to `times` its size: the areas dX dY that they represent, H and alpha q of the far
    !> field. None where the edges are not flooded.
    pure subroutine film_outside(self, times, area, h, thickened)
       class(edge_values_t), intent(in) :: self
@@ -169,12 +169,12 @@ contains
       end do
    end subroutine impose
 
-   !> Roughness at the edges of a grid, from what the next finer one is given.
+   !> Roughness at the edges of a grid, from the data of the next finer grid.
    pure function rough_from(self, fine, given, row_ratio) result(rough)
       class(edge_values_t), intent(in) :: self
       type(edge_values_t), intent(in) :: fine
       type(given_t), intent(in) :: given        !! to the finer grid
-      integer, intent(in) :: row_ratio          !! its rows for one of this
+      integer, intent(in) :: row_ratio          !! its rows per row of this grid
       real(dp), allocatable :: field(:, :), rough(:)
       integer :: k
 

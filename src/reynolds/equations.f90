@@ -17,8 +17,8 @@ module ehlwave_equations
    implicit none (type, external)
    private
 
-   !> Work space of their evaluation, with what is given: that of a level or, in a multigrid cycle, right sides that a
-   !> finer grid hands down. All arrays (0:nx, 0:ny), zero or false off the unknown nodes.
+   !> Work space of their evaluation, with what is given: data of a level or, in a multigrid cycle, right sides from a
+   !> finer grid. All arrays (0:nx, 0:ny), zero or false off the unknown nodes.
    type, public :: equations_t
       type(mesh_t) :: mesh
       real(dp) :: self_influence = 0              !! deformation at a node under its own unit pressure
@@ -26,12 +26,12 @@ module ehlwave_equations
       real(dp), allocatable :: residual(:, :)     !! R there
       real(dp), allocatable :: scale(:, :)        !! 1/|A_ii|
       logical, allocatable :: is_cavitated(:, :)  !! P + R/|A_ii| <= 0: there the equation is P = 0
-      type(edge_values_t) :: edges                !! of the problem last evaluated: at these nodes P = P_far(H)
+      type(edge_values_t) :: edges                !! edges of the problem last evaluated: at these nodes P = P_far(H)
       real(dp), allocatable :: edge_excess(:)     !! P - P_far(H) there
       real(dp), allocatable :: edge_slope(:)      !! -d P_far/dH there
-      real(dp) :: edge_unit = 0                   !! of P there, where edges may be dry
-      type(oil_content_t), allocatable :: content !! of a problem with a supply: its partly filled nodes are the
-                                                  !! cavitated ones
+      real(dp) :: edge_unit = 0                   !! unit of P there, where edges may be dry
+      type(oil_content_t), allocatable :: content !! content, in a problem with a supply: partly filled nodes are the
+                                                  !! cavitated nodes
    contains
       procedure :: init
       procedure :: evaluate
@@ -101,7 +101,7 @@ contains
          call self%edges%run_dry(given%supply, state%p, state%h, self%edge_excess, self%edge_slope, self%edge_unit)
    end subroutine evaluate
 
-   !> Preconditions of an evaluation: what is given and the state belong to the grid.
+   !> Preconditions of an evaluation: given data and state belong to the grid.
    pure subroutine check_shapes(self, given, state)
       class(equations_t), intent(in) :: self
       type(given_t), intent(in) :: given
@@ -114,7 +114,7 @@ contains
                                               'equations%evaluate: roughness on this grid')
    end subroutine check_shapes
 
-   !> Let the flow follow a change of the state linearly, in place of an evaluation; all else stays that of before.
+   !> Update the flow linearly for a change of the state, in place of an evaluation; everything else keeps its values.
    subroutine follow(self, state)
       class(equations_t), intent(inout) :: self
       type(state_t), intent(in) :: state

@@ -1,11 +1,11 @@
 !> Flow of a generalised Newtonian oil through the faces between nodes, and its derivatives.
 !>
-!> At a face the pressure gradient along it is the difference of its two nodes, that across it the mean of the central
-!> differences of both. rho Qhat, theory eq. (S4), is evaluated at both nodes with their own P and H and this gradient,
-!> and averaged; with tau0 -> inf this is eps averaged between nodes. The fitted scheme has one flow between them, see
-!> `ehlwave_fitted_mean`. Fluxes are in the unit of
-!> (eps_1 + eps_2) (P_2 - P_1), 2 hX rho Qhat_x along X and (2 hY/kappa) rho Qhat_y along Y, so that 1/(2 hX^2) and
-!> kappa^2/(2 hY^2) weight them in the Reynolds equation.
+!> At a face the pressure gradient along it is the difference of its two nodes, the gradient across it the mean of the
+!> central differences of both. rho Qhat, theory eq. (S4), is evaluated at both nodes with their own P and H and this
+!> gradient, and averaged; with tau0 -> inf this is eps averaged between nodes. The fitted scheme has a single flow
+!> between them, see `ehlwave_fitted_mean`. Fluxes are in the unit of (eps_1 + eps_2) (P_2 - P_1), 2 hX rho Qhat_x
+!> along X and (2 hY/kappa) rho Qhat_y along Y, so that 1/(2 hX^2) and kappa^2/(2 hY^2) weight them in the Reynolds
+!> equation.
 module ehlwave_face_flow
    use ehlwave_film_flow, only: film_flow_t
    use ehlwave_film_heat, only: film_heat_t
@@ -22,7 +22,7 @@ module ehlwave_face_flow
    public :: new_face_flow
 
    !> Faces from nodes (i, j) to (i + 1, j) or, along Y, to (i, j + 1). All arrays (0:nx, 0:ny); zero off the faces of
-   !> unknown nodes. With node 1 the face's own and node 2 the one beyond, its flux changes by
+   !> unknown nodes. With node 1 the face's own and node 2 the next, its flux changes by
    !>
    !>     by_p1 q_1 + by_p2 q_2 + by_h1 dH_1 + by_h2 dH_2 + own (q_2 - q_1) + cross (d_1 + d_2)
    !>
@@ -117,7 +117,7 @@ contains
    pure subroutine join_x(self, fine, row_ratio)
       class(face_flow_t), intent(inout) :: self
       type(face_flow_t), intent(in) :: fine
-      integer, intent(in) :: row_ratio           !! of the grid of `self`
+      integer, intent(in) :: row_ratio           !! rows of `self` per row of the finer grid
       integer :: i, j
 
       do j = 0, ubound(self%own, 2)
@@ -127,7 +127,7 @@ contains
       end do
    end subroutine join_x
 
-   !> The same along Y.
+   !> Faces along Y of the next coarser grid.
    pure subroutine join_y(self, fine)
       class(face_flow_t), intent(inout) :: self
       type(face_flow_t), intent(in) :: fine
@@ -144,7 +144,7 @@ contains
    pure subroutine join(self, face, fine, first, second)
       type(face_flow_t), intent(inout) :: self
       type(face_flow_t), intent(in) :: fine
-      integer, intent(in) :: face(2), first(2), second(2)   !! of `self`; the two of `fine`
+      integer, intent(in) :: face(2), first(2), second(2)   !! face of `self`; the two of `fine`
 
       associate (i => face(1), j => face(2), i1 => first(1), j1 => first(2), i2 => second(1), j2 => second(2))
          self%own(i, j) = 0.5_dp*(fine%own(i1, j1) + fine%own(i2, j2))
@@ -161,11 +161,11 @@ contains
       class(face_flow_t), intent(inout) :: self
       type(film_flow_t), intent(in) :: film
       type(node_oil_t), intent(in) :: oil
-      integer, intent(in) :: direction           !! of the faces: along_x or along_y
+      integer, intent(in) :: direction           !! direction of the faces: along_x or along_y
       integer, intent(in) :: node(2)             !! first node of the first face
       real(dp), intent(in) :: gx(:), gy(:)       !! dP/dX and kappa dP/dY, (faces)
-      real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; the same of `cross`
-      logical, intent(in) :: fits                !! one flow between the nodes, theory eq. (D13)
+      real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; likewise for `cross`
+      logical, intent(in) :: fits                !! single flow between the nodes, theory eq. (D13)
       real(dp), intent(out) :: work              !! operations that it took: whole numbers, whose sum is exact
       type(film_heat_t), intent(in), optional :: heat
       type(across_film_t), allocatable :: across_film
@@ -173,7 +173,7 @@ contains
       real(dp) :: flow(flow_values, 2*size(gx))
       real(dp), dimension(2*size(gx)) :: density, fluidity, grad_x, grad_y, h     ! there
       integer :: across, along, driven(size(gx)), f, i, i2, j2, k, l, last, n, next, points
-      integer, parameter :: beside = 2                                   ! faces beyond one with a gradient
+      integer, parameter :: beside = 2                                   ! faces beyond the last with a gradient
 
       i2 = merge(1, 0, direction == along_x)
       j2 = node(2) + merge(1, 0, direction == along_y)
@@ -185,7 +185,7 @@ contains
             if (.not. present(heat)) cycle
             f = node(1) + k - 1
             if (.not. max(heat%range(f, node(2)), heat%range(f + i2, j2)) > 0) cycle
-            ! where the film may come to bear, the flow must be that of a gradient: a warm oil's is far from Newton's
+            ! where the film may come to bear, a gradient must drive the flow: a warm oil is far from Newtonian
             do next = max(next, k), size(gx)
                if (abs(gx(next)) + abs(gy(next)) > 0) exit
             end do
@@ -251,8 +251,7 @@ contains
       end associate
    end subroutine set_row
 
-   !> Faces of a row through which no pressure drives anything, as those of a Newtonian oil: where the film is cavitated
-   !> only signs of what they say count.
+   !> Faces of a row without pressure-driven flow, as in a Newtonian oil: in cavitated film only their signs count.
    pure subroutine rest(self, oil, lambdabar, node, shift, n)
       class(face_flow_t), intent(inout) :: self
       type(node_oil_t), intent(in) :: oil

@@ -14,8 +14,8 @@ module ehlwave_film_heat
       real(dp), allocatable :: mean_rise(:, :)        !! its mean across the film, (0:nx, 0:ny)
       real(dp), allocatable :: ln_fluidity(:, :, :)   !! (0:levels, 0:nx, 0:ny)
       real(dp), allocatable :: thinning(:, :, :)      !! its derivative, -d ln(eta)/dT, 1/K
-      real(dp), allocatable :: range(:, :)            !! of `ln_fluidity` across the film, (0:nx, 0:ny)
-      real(dp), allocatable :: moments(:, :, :)       !! (0:2, 0:nx, 0:ny) those of `film_flow_t`, if it knows them
+      real(dp), allocatable :: range(:, :)            !! range of `ln_fluidity` across the film, (0:nx, 0:ny)
+      real(dp), allocatable :: moments(:, :, :)       !! (0:2, 0:nx, 0:ny) moments of `film_flow_t`, if available
    contains
       procedure :: weigh
       procedure :: take_row
@@ -42,13 +42,13 @@ contains
       self%moments(2, :, :) = 1/3.0_dp
    end function new_film_heat
 
-   !> Take means and fluidities of the rises at pressure p. Beyond the last node that is given of a row the rises are
-   !> those of that node, and where no pressure is all else is.
+   !> Take means and fluidities of the rises at pressure p. Beyond the last given node of a row, the rises of that
+   !> node apply; where there is no pressure, all other values do.
    pure subroutine weigh(self, rheology, film, weight, p, until)
       class(film_heat_t), intent(inout) :: self
       type(rheology_t), intent(in) :: rheology
       type(film_flow_t), intent(in) :: film
-      real(dp), intent(in) :: weight(0:)     !! of an integral across the film, (0:levels)
+      real(dp), intent(in) :: weight(0:)     !! weights of an integral across the film, (0:levels)
       real(dp), intent(in) :: p(0:, 0:)      !! P, (0:nx, 0:ny)
       integer, intent(in) :: until(0:)       !! (0:ny)
       integer :: i, j, last
@@ -67,7 +67,7 @@ contains
       end do
    end subroutine weigh
 
-   !> Those of a row, up to a node.
+   !> Moments of a row, up to a node.
    pure subroutine weigh_row(self, rheology, film, weight, p, last, j)
       class(film_heat_t), intent(inout) :: self
       type(rheology_t), intent(in) :: rheology
@@ -75,7 +75,7 @@ contains
       real(dp), intent(in) :: weight(0:)     !! (0:levels)
       integer, intent(in) :: last, j
       real(dp), intent(in) :: p(0:last)
-      real(dp), dimension(0:last) :: at, largest, least                      ! of the row
+      real(dp), dimension(0:last) :: at, largest, least                      ! values at the nodes of the row
       real(dp), dimension(0:last, 0:size(weight)) :: exponent, rise, slope   ! at the levels and at the mean
       logical :: is_warm(0:last)
       integer :: i, k, n
@@ -97,7 +97,7 @@ contains
       least = huge(least)
       do k = 0, n
          do i = 0, last
-            ! not what rounding makes of an even viscosity
+            ! larger than rounding of an even viscosity
             exponent(i, k) = merge(exponent(i, n + 1) - exponent(i, k), 0.0_dp, is_warm(i) .and. abs(slope(i, k)) > 0)
             largest(i) = max(largest(i), exponent(i, k))
             least(i) = min(least(i), exponent(i, k))
@@ -127,11 +127,11 @@ contains
       end if
    end subroutine take_row
 
-   !> The same at both ends of faces: those of a row, then those of the row beyond.
+   !> Take both ends of faces: a row, then the row beyond.
    pure subroutine take_ends(self, across, i, shift, rows)
       class(film_heat_t), intent(in) :: self
       type(across_film_t), intent(inout) :: across
-      integer, intent(in) :: i(:), shift           !! i of the first ends; from there to that of the second
+      integer, intent(in) :: i(:), shift           !! i of the first ends; offset to the second ends
       integer, intent(in) :: rows(2)
       integer :: k, n
 
@@ -153,7 +153,7 @@ contains
       end if
    end subroutine take_ends
 
-   !> That of some of the nodes.
+   !> Part for some of the nodes.
    pure function part(self, first, last)
       class(film_heat_t), intent(in) :: self
       integer, intent(in) :: first(2), last(2)   !! i and j

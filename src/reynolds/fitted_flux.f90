@@ -1,7 +1,7 @@
 !> Fluxes of a Newtonian oil through the faces between nodes, fitted to steep inlets: theory eq. (D11).
 !>
-!> Between two nodes of a heavily loaded inlet the viscosity changes by a large factor, so that a mean of eps says
-!> little. A flow q that is the same all along the line through them has
+!> Between two nodes of a heavily loaded inlet the viscosity changes by a large factor, so that a mean of eps is
+!> meaningless. A flow q that is constant along the line through them has
 !>
 !>     q int lambdabar/H^3 dX = rho int dP/eta,
 !>

@@ -1,4 +1,5 @@
-!> Means between two nodes of the fitted scheme, and by them one flow of an oil that thins: theory eq. (D11), (D13).
+!> Means between two nodes of the fitted scheme, and the resulting single flow of a shear-thinning oil: theory eq.
+!> (D11), (D13).
 module ehlwave_fitted_mean
    use ehlwave_film_flow, only: film_flow_t
    use ehlwave_film_rules, only: across_film_t
@@ -10,10 +11,10 @@ module ehlwave_fitted_mean
    public :: fit_flows, logarithmic_mean
 
    integer, parameter, public :: places_of_face = 3   !! where the flow is evaluated: both nodes, and between them
-   real(dp), parameter :: part(2, 0:2) = reshape([1.0_dp, 0.0_dp, 0.5_dp, 0.5_dp, 0.0_dp, 1.0_dp], [2, 3])   ! of nodes
+   real(dp), parameter :: part(2, 0:2) = reshape([1.0_dp, 0.0_dp, 0.5_dp, 0.5_dp, 0.0_dp, 1.0_dp], [2, 3])   ! by node
 
-   real(dp), parameter :: alike = 0.02_dp   !! |ln(b/a)| below which a series stands for the mean
-   !> |Sigma| below which flows are those that derivatives drive: their own ratio is that of round-off.
+   real(dp), parameter :: alike = 0.02_dp   !! |ln(b/a)| below which a series replaces the mean
+   !> |Sigma| below which derivatives give the flows: the ratio of the flows is round-off.
    real(dp), parameter :: slight_stress = 1e-6_dp
 
 contains
@@ -35,15 +36,15 @@ contains
       by_a = 1 - by_b
    end subroutine logarithmic_mean
 
-   !> One flow through each face of a row at the gradient of the face: to each node the flow, and what its own
-   !> quantities change of it, for densities that weight the nodes.
+   !> A single flow through each face of a row at the gradient of the face: for each node the flow, and the
+   !> derivatives by its own quantities, for densities that weight the nodes.
    pure subroutine fit_flows(film, direction, fluidity, h, gx, gy, rho, flow, points, across)
       type(film_flow_t), intent(in) :: film
-      integer, intent(in) :: direction                 !! of the faces: along_x or along_y
+      integer, intent(in) :: direction                 !! direction of the faces: along_x or along_y
       real(dp), intent(in) :: fluidity(:, :), h(:, :)  !! eta0/eta and H, (faces, 2) at their nodes
       real(dp), intent(in) :: gx(:), gy(:)             !! dP/dX and kappa dP/dY, (faces)
       real(dp), intent(in) :: rho(:, :)                !! (faces, 2)
-      real(dp), intent(out) :: flow(:, :)              !! (flow_values, 2*faces), those of first nodes first
+      real(dp), intent(out) :: flow(:, :)              !! (flow_values, 2*faces), first nodes first
       integer, intent(out) :: points                   !! see `evaluate` of `film_flow_t`
       type(across_film_t), intent(in), optional :: across   !! P at the nodes, in the order of `flow`
       type(across_film_t), allocatable :: between
@@ -68,7 +69,7 @@ contains
       end do
    end subroutine fit_flows
 
-   !> The same of one face.
+   !> Join the two nodes of a face.
    pure subroutine join(told, h, rho, places, nodes)
       integer, intent(in) :: told                   !! which value has the ratio of the flows
       real(dp), intent(in) :: h(0:2), rho(2)        !! H at the places; the density at both nodes
@@ -92,8 +93,8 @@ contains
       nodes(flow_q, :) = flow
    end subroutine join
 
-   !> Derivatives of the mean (D13) by what is averaged, whose sum weighted by that is the mean. Without heat all has
-   !> one sign; else the weights are those of Simpson's rule.
+   !> Derivatives of the mean (D13) by the averaged values; their sum weighted by these values is the mean. Without
+   !> heat all have the same sign; else Simpson's rule gives the weights.
    pure function mean_shares(q) result(share)
       real(dp), intent(in) :: q(0:2)
       real(dp) :: share(0:2)

@@ -14,8 +14,8 @@ module ehlwave_flow
    public :: new_flow
 
    !> A state, the oil there, the coefficients of its flow and their derivatives. All arrays (0:nx, 0:ny). The flow of
-   !> a generalised Newtonian oil is not eps times a gradient: it has fluxes through faces in place of it. So has that
-   !> of a Newtonian one by the fitted scheme.
+   !> a generalised Newtonian oil is not eps times a gradient: it has fluxes through faces instead. So does a
+   !> Newtonian oil with the fitted scheme.
    type, extends(node_oil_t), public :: flow_t
       real(dp), allocatable :: f(:, :)      !! rho H
       real(dp), allocatable :: eps(:, :)    !! rho H^3/(eta lambdabar)
@@ -24,7 +24,7 @@ module ehlwave_flow
       real(dp), allocatable :: eps_h(:, :)  !! d eps/dH
       type(face_flow_t), allocatable :: along_x, along_y     !! through faces along X and along Y; not of a Newtonian
                                                              !! oil whose eps is averaged
-      logical, private :: has_faces = .false.                ! whether these are those of the state
+      logical, private :: has_faces = .false.                ! whether these belong to the state
    contains
       procedure :: evaluate
       procedure :: evaluate_faces
@@ -36,7 +36,7 @@ module ehlwave_flow
       procedure :: film_work
    end type flow_t
 
-   real(dp), parameter :: slight = 1e-6_dp   !! share of what a gradient drives
+   real(dp), parameter :: slight = 1e-6_dp   !! share of the gradient-driven flow
 
 contains
 
@@ -68,7 +68,7 @@ contains
       call grid%new_field(self%eps_h)
    end function new_flow
 
-   !> Values of the next finer grid, at the nodes of this one, and through its faces: what linear changes need.
+   !> Values of the next finer grid, at the nodes of this one, and through its faces: needed for linear changes.
    subroutine inject_from(self, fine, coarse)
       class(flow_t), intent(inout) :: self
       type(flow_t), intent(in) :: fine
@@ -168,8 +168,8 @@ contains
       call fit_faces(grid, lambdabar, self%node_oil_t, self%along_x, self%along_y)
    end subroutine fit
 
-   !> Whether stresses thin the oil so little that linear changes are those of a Newtonian one, for a preconditioner: by
-   !> what a pressure gradient along X drives through the faces, eps_1 + eps_2 of a Newtonian oil.
+   !> Whether stresses thin the oil so little that a preconditioner may use Newtonian linear changes. The measure is the
+   !> flow driven by a pressure gradient along X through the faces, eps_1 + eps_2 of a Newtonian oil.
    pure logical function thins_little(self)
       class(flow_t), intent(in) :: self
       integer :: n
@@ -204,7 +204,7 @@ contains
       has_face_fluxes = self%has_faces
    end function has_face_fluxes
 
-   !> How easily a pressure gradient along X drives oil at each node: eps, or what stands in its place.
+   !> How easily a pressure gradient along X drives oil at each node: eps, or its replacement.
    pure function mobility(self) result(eps)
       class(flow_t), intent(in) :: self
       real(dp), allocatable :: eps(:, :)   !! (0:nx, 0:ny)

@@ -9,13 +9,13 @@ module ehlwave_given
    private
    public :: steady_given
 
-   !> Terms that change from one solution of a contact to the next. Each level of a hierarchy owns one (`level_t`);
-   !> equations are evaluated with it and keep nothing of it.
+   !> Terms that change from one solution of a contact to the next. Each level of a hierarchy (`level_t`) owns an
+   !> instance; equations are evaluated with it and keep nothing of it.
    type, public :: given_t
       type(transport_t) :: transport           !! wedge and squeeze, with terms of earlier times
       type(load_balance_t) :: load
       real(dp), allocatable :: rough(:, :)     !! Rough(X, Y, T), (0:nx, 0:ny); not allocated for smooth surfaces
-      real(dp), allocatable :: edge_rough(:)   !! the same at the nodes of flooded edges, where `rough` holds something
+      real(dp), allocatable :: edge_rough(:)   !! roughness at the nodes of flooded edges, if `rough` is set
                                                !! else
       real(dp), allocatable :: supply(:)       !! (0:ny) oil offered at the inlet edge, theta rho H; not allocated:
                                                !! flooded
@@ -47,8 +47,8 @@ contains
       self%rough = rough
    end subroutine set_rough
 
-   !> The data between this (0) and `later` (1, to the last digit): roughness, terms of earlier times, load. What is
-   !> not there counts as `later` has it, roughness as none.
+   !> The data between this (0) and `later` (1, to the last digit): roughness, terms of earlier times, load. Missing
+   !> terms are taken from `later`; missing roughness is zero.
    pure function blend(self, later, place) result(between)
       class(given_t), intent(in) :: self
       type(given_t), intent(in) :: later

@@ -7,19 +7,19 @@ module ehlwave_near_kernel
    private
    public :: new_near_kernel
 
-   !> How far the pattern reaches, and what is done to the kernel at its edge.
+   !> Reach of the pattern, and treatment of the kernel at its edge.
    type, public :: near_settings_t
       integer :: least_x = 2                       !! smallest reach along X: the wedge alone reaches two nodes upstream
-      integer :: least_fine_x = 3                  !! the same on grids of more than `fine_cells` along X
-      real(dp) :: stretch_x = 1, stretch_y = 1     !! reach over that of a pattern isotropic in metres
+      integer :: least_fine_x = 3                  !! least reach on grids of more than `fine_cells` along X
+      real(dp) :: stretch_x = 1, stretch_y = 1     !! reach relative to a pattern isotropic in metres
       real(dp) :: taper = 0                        !! power of the taper, 0: plain cut
-      real(dp) :: least_taper = 0                  !! the same of patterns of an ellipse that reach least
+      real(dp) :: least_taper = 0                  !! taper of patterns of an ellipse with the least reach
    end type near_settings_t
 
    !> Influence coefficients of a pattern.
    type, public :: near_kernel_t
       integer :: reach_x = 2, reach_y = 1          !! largest offsets
-      integer :: entries = 15                      !! of the pattern
+      integer :: entries = 15                      !! entries of the pattern
       real(dp), allocatable :: influence(:, :)     !! (-reach_x-2:reach_x+2, -reach_y-1:reach_y+1) of a cell at an
                                                    !! offset
    contains
@@ -36,7 +36,7 @@ module ehlwave_near_kernel
 contains
 
    !> Pattern isotropic in metres but for its stretch: cells measure a hX by b hY, so it reaches hY/(kappa hX) cells
-   !> along X for one along Y, or the reverse; at most `largest_reach`. That of a line contact reaches as far as it may.
+   !> along X per cell along Y, or the reverse; at most `largest_reach`. In a line contact it takes the largest reach.
    !>
    !> A kernel that is simply cut has a symbol that oscillates and is negative for waves of two cells along Y, which
    !> makes factors of the matrix amplify there. So it is tapered: multiplied by a power of (1 - |i|/(reach_x+1)) (1 -
@@ -76,7 +76,7 @@ contains
       end do
    end function new_near_kernel
 
-   !> Entry of an offset within the reaches: those of one offset along X together.
+   !> Entry of an offset within the reaches, sorted by offset along X.
    pure integer function entry_at(self, di, dj)
       class(near_kernel_t), intent(in) :: self
       integer, intent(in) :: di, dj   !! offset

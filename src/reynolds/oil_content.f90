@@ -1,8 +1,8 @@
-!> Oil in a gap that it does not fill everywhere: what each node holds and passes on, mass conserved.
+!> Oil in a gap that it does not fill everywhere: content and outflow of each node, mass conserved.
 !>
 !> Theory eq. (C1): content theta <= 1, P >= 0, P (1 - theta) = 0. A full node has theta = 1, and its pressure is
-!> unknown; a partly filled one has P = 0, and its balance alone says how much it holds, given P and H and what comes
-!> from upstream. So content is no unknown: one pass along the flow finds it.
+!> unknown; a partly filled one has P = 0, and its balance alone gives its content, from P, H and the inflow from
+!> upstream. So content is no unknown: one pass along the flow finds it.
 module ehlwave_oil_content
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
@@ -14,8 +14,8 @@ module ehlwave_oil_content
    !> Contents of the gap at a state. Fields (0:nx, 0:ny).
    type, public :: oil_content_t
       logical, allocatable :: is_partial(:, :)    !! whether a node is partly filled
-      real(dp), allocatable :: slope(:, :)        !! 1 where what a node passes on is extrapolated to its face, else 0
-      real(dp), allocatable :: outflow(:, :)      !! what a node passes on, (C3)
+      real(dp), allocatable :: slope(:, :)        !! 1 where the outflow of a node is extrapolated to its face, else 0
+      real(dp), allocatable :: outflow(:, :)      !! outflow of a node, (C3)
    contains
       procedure :: carry
       procedure :: inject_from
@@ -33,13 +33,13 @@ contains
       call grid%new_field(self%outflow)
    end function new_content
 
-   !> Contents and residuals of all nodes, along the flow. With G what a node passes on,
+   !> Contents and residuals of all nodes, along the flow. With G the outflow of a node,
    !>
    !>     R_i = (flow driven into node i) - (G_i - G_(i-1))/hX,    G_i = f_i + s_i (f_i - f_(i-1))/2,
    !>
    !> s_i = 1 where node i is full, else 0, and f_(i-1) there rho H, full or not: theory eq. (C3); in a time step node
-   !> i - 1 one step before. A node is partly filled where P + R/|A_ii| <= 0, R that with f = rho H: what `equations_t`
-   !> asks of cavitated ones, too. Its G = f is then what makes R = 0.
+   !> i - 1 one step before. A node is partly filled where P + R/|A_ii| <= 0, R that with f = rho H, the condition that
+   !> `equations_t` uses for cavitated nodes. Its G = f then makes R = 0.
    pure subroutine carry(self, grid, transport, supply, p, scale, f, r)
       class(oil_content_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
@@ -89,7 +89,7 @@ contains
       end do
    end subroutine carry
 
-   !> That of the next finer grid, at the nodes of this one, as far as linear changes need it.
+   !> Content of the next finer grid, at the nodes of this grid, as far as linear changes need it.
    pure subroutine inject_from(self, fine, row_ratio)
       class(oil_content_t), intent(inout) :: self
       class(oil_content_t), intent(in) :: fine
@@ -100,7 +100,7 @@ contains
       where (self%is_partial(0, :)) self%slope(1, :) = 0
    end subroutine inject_from
 
-   !> Data for a later time step: what each node passes on, and rho H, of dry edges `no_film`.
+   !> Data for a later time step: outflow of each node, and rho H, `no_film` at dry edges.
    pure subroutine history_of(self, capacity, outflow, partner)
       class(oil_content_t), intent(in) :: self
       real(dp), intent(in) :: capacity(0:, 0:)   !! rho H

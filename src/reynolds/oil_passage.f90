@@ -13,19 +13,19 @@ module ehlwave_oil_passage
 
    real(dp), parameter :: nothing = 1e-15_dp   !! share of the oil that is round-off of pressures far out
 
-   !> Of one solution.
+   !> Oil balance of a solution.
    type, public :: oil_passage_t
       real(dp), allocatable :: content(:, :)   !! theta, (0:nx, 0:ny)
-      real(dp), allocatable :: offered(:)      !! (0:ny) what enters through the inlet edge, rho H over the mean speed
-      real(dp), allocatable :: behind(:)       !! (0:ny) what leaves through the outlet edge
-      real(dp) :: side_flow = no_value         !! share of what enters that leaves over the sides
-      real(dp) :: balance_error = no_value     !! what is lost or gained over what enters
+      real(dp), allocatable :: offered(:)      !! (0:ny) inflow through the inlet edge, rho H over the mean speed
+      real(dp), allocatable :: behind(:)       !! (0:ny) outflow through the outlet edge
+      real(dp) :: side_flow = no_value         !! share of the inflow that leaves over the sides
+      real(dp) :: balance_error = no_value     !! relative loss or gain of oil
       real(dp) :: meniscus_x = no_value        !! X at Y = 0 from which on the gap is full; NaN: outside the domain
    end type oil_passage_t
 
 contains
 
-   !> Follow the oil through a solution; that of a time step lacks a balance, as the gap fills and empties.
+   !> Follow the oil through a solution; a time step lacks a balance, as the gap fills and empties.
    subroutine follow_oil(problem, given, state, passage)
       type(contact_problem_t), intent(in) :: problem
       type(given_t), intent(in) :: given               !! to the solution, with a supply
@@ -50,7 +50,7 @@ contains
          do j = grid%first_row, grid%last_row
             call face_flux(flow, j, j, 1, flux)
             passage%behind(j) = content%outflow(nx - 1, j) - grid%hx*mesh%cx*flux(nx - 1)
-            ! what the first node takes in is extrapolated as what it passes on
+            ! The inflow of the first node is extrapolated like its outflow
             passage%offered(j) = flow%f(0, j) + content%outflow(1, j) - flow%f(1, j) - grid%hx*mesh%cx*flux(0)
          end do
          width = grid%hy
@@ -71,8 +71,8 @@ contains
       end associate
    end subroutine follow_oil
 
-   !> Edges without pressure beside the contact and downstream, where no balance is asked for: the oil there is what the
-   !> inlet edge has, or the nodes upstream.
+   !> Edges without pressure beside the contact and downstream, where no balance holds: the oil there comes from the
+   !> inlet edge or the nodes upstream.
    pure subroutine fill_edges(oil, grid, p)
       real(dp), intent(inout) :: oil(0:, 0:)   !! rho theta H, (0:nx, 0:ny)
       type(grid_t), intent(in) :: grid
@@ -87,9 +87,9 @@ contains
       oil(grid%nx, :) = oil(grid%nx - 1, :)
    end subroutine fill_edges
 
-   !> Where the gap becomes full upstream of the centre at Y = 0: behind the last node that is partly filled, the
-   !> farther the less it holds between what arrives there and what would fill it. That share is driven back by the
-   !> pressure of the next node, so that this is where the pressure begins.
+   !> Place where the gap becomes full upstream of the centre at Y = 0. It lies behind the last partly filled node,
+   !> by its share of content between inflow and full. The pressure of the next node drives that share back, so that
+   !> the pressure begins here.
    pure real(dp) function meniscus(equations, state) result(x)
       type(equations_t), intent(in) :: equations
       type(state_t), intent(in) :: state

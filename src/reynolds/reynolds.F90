@@ -1,9 +1,9 @@
 !> The discrete Reynolds equation: the fluxes through faces, its residual, and how both change.
 !>
-!> The flow along the pressure gradient goes through the faces between neighbouring nodes. This module knows how much:
-!> the flux through a face (`face_flux`) and its change (`face_change`); `ehlwave_reynolds_links` has the derivatives of
-!> the same fluxes at single nodes. In a Newtonian oil eps is averaged between nodes; the fluxes of another oil, and
-!> those of the fitted scheme, are those of `ehlwave_face_flow`.
+!> The flow along the pressure gradient goes through the faces between neighbouring nodes. This module computes the flux
+!> through a face (`face_flux`) and its change (`face_change`); `ehlwave_reynolds_links` has the derivatives of the same
+!> fluxes at single nodes. In a Newtonian oil eps is averaged between nodes; other oils and the fitted scheme use the
+!> fluxes of `ehlwave_face_flow`.
 module ehlwave_reynolds
    use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t
    use ehlwave_flow, only: flow_t
@@ -64,7 +64,7 @@ contains
       end do
    end subroutine driven_flow
 
-   !> The same on some rows.
+   !> Drive some rows.
    pure subroutine drive_rows(mesh, flow, first, last, r)
       type(mesh_t), intent(in) :: mesh
       type(flow_t), intent(in) :: flow

@@ -1,7 +1,7 @@
 !> Derivatives of the discrete Reynolds equation at single nodes: the links of a node, its diagonal, and how the oil it
 !> takes in depends on its own pressure. Matrices and relaxations are made of them.
 !>
-!> They are those of the fluxes of `ehlwave_reynolds`: who changes one, changes the other. Nodes are unknown ones.
+!> They are the derivatives of the fluxes of `ehlwave_reynolds`: change both together. Nodes are unknown nodes.
 module ehlwave_reynolds_links
    use ehlwave_face_flow, only: face_flow_t
    use ehlwave_flow, only: flow_t
@@ -62,7 +62,7 @@ contains
       end associate
    end subroutine poiseuille_links
 
-   !> The same of an oil that is not Newtonian, but for the small part that a gradient along a face drives through it.
+   !> Links of an oil that is not Newtonian, without the small flow through a face that a gradient along it drives.
    pure subroutine general_links(mesh, flow, block, by_p, by_h)
       type(mesh_t), intent(in) :: mesh
       type(flow_t), intent(in) :: flow
@@ -94,7 +94,7 @@ contains
       type(face_flow_t), intent(in) :: faces
       real(dp), intent(in) :: c              !! weight of a flux
       integer, intent(in) :: face(2)
-      logical, intent(in) :: is_first        !! whether the node is the face's first: then what flows through it flows
+      logical, intent(in) :: is_first  !! whether the node is the face's first: then the flux through the face flows
                                              !! in
       real(dp), intent(inout) :: own_p, other_p, own_h, other_h
 
@@ -113,9 +113,9 @@ contains
       end associate
    end subroutine add_link
 
-   !> 1/|A_ii|: how much pressure one unit of residual is worth at each unknown node, from the Poiseuille
-   !> terms and the effect of the node's own deformation on the wedge term. Zero elsewhere. A limit of the stress, which
-   !> a gradient of the pressure raises, can make a flow fall as its gradient grows: it counts by its size.
+   !> 1/|A_ii|: pressure change for a unit residual at each unknown node, from the Poiseuille terms and the effect of
+   !> the node's own deformation on the wedge term. Zero elsewhere. A limit of the stress, which a gradient of the
+   !> pressure raises, can make a flow fall as its gradient grows: it counts by its size.
    subroutine reynolds_scale(mesh, wedge, self_influence, flow, scale)
       type(mesh_t), intent(in) :: mesh
       real(dp), intent(in) :: wedge(0:)        !! (0:nx) modulus of the weight of a node's own rho H
@@ -164,7 +164,7 @@ contains
       end associate
    end function intake
 
-   !> The same of an oil that is not Newtonian: by the node's own pressure at fixed gradients.
+   !> Intake of an oil that is not Newtonian: by the node's own pressure at fixed gradients.
    pure real(dp) function intake_at_gradient(mesh, flow, i, j) result(intake)
       type(mesh_t), intent(in) :: mesh
       type(flow_t), intent(in) :: flow

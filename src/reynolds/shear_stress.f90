@@ -13,7 +13,7 @@ module ehlwave_shear_stress
       shear_stress
 
    real(dp), parameter, public :: least_pressure = 1e-12_dp   !! P of nodes that bear; solvers leave 1e-30 at some
-                                                              !! cavitated ones
+                                                              !! cavitated nodes
 
 contains
 
@@ -52,8 +52,8 @@ contains
       friction_at = friction_of(problem%grid, stress, state%p, 0.0_dp)
    end function friction_at
 
-   !> Friction of the oil that floods the contact outside the domain, out to `times` its size, theory eq. (T11): that of
-   !> the far field, whose gradients count for nothing. Where edges are dry, there is as much less of it.
+   !> Friction of the oil that floods the contact outside the domain, out to `times` its size, theory eq. (T11), from
+   !> the far field without gradients. Dry edges reduce it in proportion.
    !>
    !> Oil downstream of X = 0, which the far field does not have, bears besides. Twice the domain had 1.17 to 1.27 times
    !> the friction that is upstream (23 random contacts, M = 9 to 640, D = 0.03 to 0.8, isoviscous and thinning).
@@ -137,7 +137,7 @@ contains
       end associate
    end subroutine shear_stress
 
-   !> The same of places with a fluidity and a film.
+   !> Stress at places with a fluidity and a film.
    subroutine stress_in(problem, fluidity, h, gx, gy, stress, b, factor, across)
       type(contact_problem_t), intent(in) :: problem
       real(dp), intent(in) :: fluidity(:), h(:), gx(:), gy(:)
@@ -158,7 +158,7 @@ contains
       end associate
    end subroutine stress_in
 
-   !> Density, its slope and fluidity at the nodes of a row, and what differs across the film there.
+   !> Density, its slope and fluidity at the nodes of a row, and the variation across the film there.
    pure subroutine oil_of_row(problem, state, j, rho, drho, fluidity, across)
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state

@@ -1,5 +1,5 @@
-!> Wedge and squeeze terms d(rho H)/dX + d(rho H)/dT, of second or, on fitted grids, third order, one form for steady,
-!> transient and harmonic.
+!> Wedge and squeeze terms d(rho H)/dX + d(rho H)/dT, of second or, on fitted grids, third order, in the same form for
+!> steady, transient and harmonic.
 !>
 !> At node i the sum of both terms is discretised as, theory eq. (D8),
 !>
@@ -24,9 +24,9 @@ module ehlwave_transport
    type, extends(wedge_t), public :: transport_t
       real(dp), allocatable :: carried(:, :)         !! (0:nx, 0:ny), allocated in transient problems only
       integer :: cells_per_step = 1                  !! dT = hX cells_per_step / steps_per_cell,
-      integer :: steps_per_cell = 1                  !! one of the two is 1
-      integer :: order = 2                           !! of the difference along the characteristic, 3 of a fitted grid
-      ! of gaps that are not full everywhere, in transient problems: what the node upstream passed on at the earlier
+      integer :: steps_per_cell = 1                  !! at least one of the two is 1
+      integer :: order = 2  !! order of the difference along the characteristic, 3 of a fitted grid
+      ! For gaps that are not full everywhere, in transient problems: outflow of the node upstream at the earlier
       ! time, and rho H there where it was full, else `no_film`
       real(dp), allocatable :: inflow(:, :), partner(:, :)
    contains
@@ -58,13 +58,13 @@ contains
    !>
    !>     (1.5 f(i,k) - 2 f(i-1,k-1) + 0.5 f(i-2,k-2))/hX,
    !>
-   !> free of numerical damping and dispersion for what is carried along. With dT = m hX the step along the
-   !> characteristic is dT (and m cells), with dT = hX/m it is hX (and m steps). Nodes nearer to the inlet
-   !> than two such steps: first order along the characteristic at node m when m = 1, else
-   !> upstream in X and backward in T separately, second order.
+   !> free of numerical damping and dispersion for transported quantities. With dT = m hX the step along the
+   !> characteristic is dT (and m cells), with dT = hX/m it is hX (and m steps). Nodes nearer to the inlet than two
+   !> such steps: first order along the characteristic at node m when m = 1, else upstream in X and backward in T
+   !> separately, second order.
    !>
-   !> Of a fitted grid the difference along the characteristic is that of third order where three steps lie upstream,
-   !> theory eq. (D12).
+   !> On a fitted grid the difference along the characteristic has third order where three steps lie upstream, theory
+   !> eq. (D12).
    pure function characteristic_transport(grid, cells_per_step, steps_per_cell) result(self)
       type(grid_t), intent(in) :: grid
       integer, intent(in) :: cells_per_step   !! m for dT = m hX
@@ -106,8 +106,8 @@ contains
    !>     (1.5 f(i) - 2 z f(i-1) + 0.5 z^2 f(i-2))/dT,    at i = 1    (f(1) - z f(0))/dT.
    !>
    !> It is written as  t0 f + t1 f' + t2 f''  with upstream differences for f' and f'' on the grid at hand. With
-   !> hX = dT that is the operator itself; on a coarser grid it keeps the factors of the fine one, also where the
-   !> coarse mesh is too wide for the wave: what it has to carry there is smooth.
+   !> hX = dT this is the operator itself. A coarser grid keeps the factors of the fine grid, also where its mesh is
+   !> too wide for the wave: it carries smooth corrections.
    pure function harmonic_wedge(grid, frequency, dt) result(self)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: frequency   !! w in units of 1/T
@@ -150,8 +150,8 @@ contains
       weight = matmul(difference, t/h**[0, 1, 2, 3])
    end function harmonic_weights
 
-   !> The terms at the present time, on the same grid or on one with half as many cells: what a Jacobian needs.
-   !> Terms that look upstream in X follow the mesh size; terms along the characteristic do not.
+   !> The terms at the present time, on the same grid or with half as many cells, for a Jacobian. Terms that look
+   !> upstream in X follow the mesh size; terms along the characteristic do not.
    pure function implicit_part(transport, grid) result(self)
       class(wedge_t), intent(in) :: transport
       type(grid_t), intent(in) :: grid            !! grid of the result
@@ -169,7 +169,7 @@ contains
       if (ratio > 1 .and. transport%is_local) self%w0(1) = self%w0(min(2, grid%nx))
    end function implicit_part
 
-   !> Upstream differences for a mesh `ratio` times as wide; what is not part of one stays.
+   !> Upstream differences for a mesh `ratio` times as wide; other terms stay.
    pure function scaled_upstream(transport, ratio) result(self)
       type(wedge_t), intent(in) :: transport
       integer, intent(in) :: ratio
@@ -183,7 +183,7 @@ contains
       self%w2 = transport%w2/ratio
       if (allocated(transport%w3)) then
          self%w3 = transport%w3/ratio
-         call fold(self%w0(:2), self%w1(:2), self%w2(:2), self%w3(:2))   ! that f(i-3) is outside
+         call fold(self%w0(:2), self%w1(:2), self%w2(:2), self%w3(:2))   ! f(i-3) is outside
          self%w3(:2) = 0
       end if
       self%w0(1) = still(1) - self%w1(1) - self%w2(1)
@@ -212,8 +212,8 @@ contains
       end do
    end subroutine carry
 
-   !> The same of a gap that is not full everywhere: `history` has what nodes passed on at T - n dT for n = 1 to
-   !> `steps_per_cell`, then rho H of full ones, see `ehlwave_oil_content`.
+   !> Weights of transport in a gap that is not full everywhere. `history` has the outflows at T - n dT for n = 1 to
+   !> `steps_per_cell`, then rho H of full nodes, see `ehlwave_oil_content`.
    pure subroutine carry_content(self, grid, history)
       class(transport_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
@@ -227,7 +227,7 @@ contains
       self%partner(1:, :) = history(:grid%nx - 1, :, 2*s)
    end subroutine carry_content
 
-   !> The same on one row.
+   !> Carry the content of one row.
    pure subroutine carry_row(self, grid, j, history)
       class(transport_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid

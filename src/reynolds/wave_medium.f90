@@ -12,8 +12,8 @@ module ehlwave_wave_medium
 
 contains
 
-   !> Media in every row of some columns of nodes; of an oil that is warm, at the temperatures that it has there, and of
-   !> one whose stress is limited, at the limit there.
+   !> Media in every row of some columns of nodes, with the local temperatures of a warm oil and the local limiting
+   !> stress.
    pure subroutine take_media(problem, state, first, medium)
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state

@@ -13,7 +13,7 @@ contains
    !> Bend a pressure change at nodes whose residual is an exponential of their own pressure.
    !>
    !> Where a node takes in oil from neighbours at higher pressure, R behaves like A exp(-s P) - c and
-   !> Newton's method gains one factor e a step. In u = exp(-s P) it is linear: with Newton's change d
+   !> Newton's method gains a single factor e per step. In u = exp(-s P) it is linear: with Newton's change d
    !>
    !>     P <- P - ln(1 - s d)/s,     s = phi d ln(eta)/dP,
    !>

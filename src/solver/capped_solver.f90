@@ -11,10 +11,10 @@ module ehlwave_capped_solver
 
    type, public :: capped_solver_t
       integer :: steps_left = huge(1)      !! nonlinear steps of the finest level that the case may still take
-      real(dp) :: work_left = huge(1.0_dp) !! operations that it may still take, but for those of the step that passes
+      real(dp) :: work_left = huge(1.0_dp) !! operations left, without those of the step that exceeds
                                            !! it
       real(dp) :: thinnest = huge(1.0_dp)  !! smallest H of all that `attempt` solved, places of a continuation too,
-      real(dp) :: highest = 0              !! and largest P
+      real(dp) :: highest = 0              !! largest P
    contains
       procedure :: attempt
       procedure :: attempt_from_coarsest
@@ -25,12 +25,12 @@ module ehlwave_capped_solver
 
 contains
 
-   !> Solve the finest level once within what is left of the cap; add the steps to those in its report.
+   !> Solve the finest level once within the rest of the cap; add the steps to those in its report.
    subroutine attempt(self, multigrid, limits, solver)
       class(capped_solver_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
-      class(level_solver_t), intent(inout), optional :: solver   !! in place of that of the hierarchy
+      class(level_solver_t), intent(inout), optional :: solver   !! replaces the hierarchy's
       type(solve_report_t) :: report
       real(dp) :: work_before
       integer :: n
@@ -53,7 +53,7 @@ contains
       end associate
    end subroutine attempt
 
-   !> The same by full multigrid, for the finest level.
+   !> Solve by full multigrid, for the finest level.
    subroutine attempt_from_coarsest(self, multigrid, limits, coarse_tolerance)
       class(capped_solver_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
@@ -75,12 +75,12 @@ contains
       end associate
    end subroutine attempt_from_coarsest
 
-   !> Take the steps of an attempt from the cap, and add those of earlier ones to its report. No solver may pass off a
-   !> state as converged that is not finite or has no film.
+   !> Take the steps of an attempt from the cap, and add earlier steps to its report. No solver may pass off a state
+   !> as converged that is not finite or has no film.
    subroutine close_attempt(self, state, report, spent, follows)
       class(capped_solver_t), intent(inout) :: self
       type(state_t), intent(in) :: state
-      type(solve_report_t), intent(inout) :: report   !! of this attempt
+      type(solve_report_t), intent(inout) :: report   !! report of this attempt
       type(solve_report_t), intent(in) :: spent       !! before it
       logical, intent(in) :: follows                  !! whether `thinnest` and `highest` count its state
       real(dp) :: highest, thinnest
@@ -103,7 +103,7 @@ contains
       report%factorisations = report%factorisations + spent%factorisations
    end subroutine close_attempt
 
-   !> The levels that error estimates compare a solved finest one with, see `full_multigrid_t`.
+   !> The levels that error estimates compare with a solved finest level, see `full_multigrid_t`.
    subroutine solve_below(self, multigrid, limits)
       class(capped_solver_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
@@ -114,8 +114,8 @@ contains
       self%work_left = self%work_left - (multigrid%work() - work_before)
    end subroutine solve_below
 
-   !> A coarser level, whose steps the cap on those of the finest does not count. It may take `coarse_share` of what is
-   !> left, so that one that stalls leaves the finest enough.
+   !> A coarser level, whose steps do not count in the cap of the finest level. It may take `coarse_share` of the rest,
+   !> so that a stalled solve leaves the finest level enough.
    subroutine solve_coarse(self, multigrid, l, limits, report)
       class(capped_solver_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
@@ -132,7 +132,7 @@ contains
       self%work_left = self%work_left - (multigrid%work() - work_before)
    end subroutine solve_coarse
 
-   !> Whether the case has used up what it may take.
+   !> Whether the case has reached its cap.
    pure logical function is_spent(self)
       class(capped_solver_t), intent(in) :: self
       is_spent = self%steps_left <= 0 .or. self%work_left <= 0

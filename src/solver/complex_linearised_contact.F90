@@ -31,8 +31,8 @@ module ehlwave_complex_linearised_contact
 
 #include "near_factors.inc"
 
-   !> Deformation under a change of pressure, real and imaginary part one after the other. A field without imaginary
-   !> part (w = 0) costs one convolution, any other two.
+   !> Deformation under a change of pressure, real then imaginary part. A field without imaginary part (w = 0) costs
+   !> a single convolution, any other two.
    subroutine deform(level, q, d, in_single)
       type(linear_level_t), intent(inout) :: level
       complex(dp), intent(in), contiguous :: q(0:, 0:)

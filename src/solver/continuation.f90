@@ -1,4 +1,5 @@
-!> Continuation from a solved problem to an unsolved one, and its paths in M and L and in the stress of the flow law.
+!> Continuation from a solved problem to an unsolved problem, and its paths in M and L and in the stress of the flow
+!> law.
 module ehlwave_continuation
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t
@@ -9,12 +10,13 @@ module ehlwave_continuation
    private
 
    real(dp), parameter :: load_ratio = 4       !! M of a case over M of its neighbour at distance 1
-   real(dp), parameter :: viscous_ratio = 2    !! the same of L, from distance 2 on
-   real(dp), parameter :: stress_ratio = 100   !! stress of the flow law of the neighbour at distance 0 over that of a
+   real(dp), parameter :: viscous_ratio = 2    !! ratio of L, from distance 2 on
+   real(dp), parameter :: stress_ratio = 100   !! stress of the flow law of the neighbour at distance 0 over the stress
+                                               !! of a
                                                !! case
    real(dp), parameter :: smallest_step = 0.02_dp
 
-   !> Place on a path from 0 (solved) to 1 (wanted), with steps that grow and shrink.
+   !> Place on a path from 0 (solved) to 1 (target), with steps that grow and shrink.
    type, public :: adaptive_path_t
       real(dp) :: place = 0                    !! where to solve next
       real(dp), private :: solved = 0          ! the farthest place that was solved
@@ -30,7 +32,7 @@ module ehlwave_continuation
    type, public :: neighbour_t
       type(conditions_t), private :: goal
       type(rheology_t), private :: goal_rheology
-      real(dp), private :: m = 0, l = 0, stress = 1   ! stress of the flow law over that of the case
+      real(dp), private :: m = 0, l = 0, stress = 1   ! stress of the flow law over the case's
    contains
       procedure :: choose
       procedure :: impose
@@ -57,7 +59,7 @@ contains
       is_at_end = self%place >= 1
    end function is_at_end
 
-   !> Whether a shorter step than the one that failed is worth a try.
+   !> Whether a shorter step than the failed step is worth a try.
    pure logical function can_retry(self)
       class(adaptive_path_t), intent(in) :: self
       can_retry = self%place > self%solved .and. 0.5_dp*min(self%step, 1 - self%solved) >= smallest_step
@@ -92,7 +94,7 @@ contains
       if (place < 1) then
          call conditions_from_moes(self%m*(self%goal%m/self%m)**place, self%l + (self%goal%l - self%l)*place, &
                                    self%goal%d, self%goal%alpha_per_pa, conditions, error)
-         if (allocated(error)) return   ! cannot be: M and L lie within those of accepted contacts
+         if (allocated(error)) return   ! impossible: M and L lie within those of accepted contacts
          conditions%slip_parameter = self%goal%slip_parameter
          rheology = self%goal_rheology%at_pressure(conditions%hertz_pressure_pa)
          rheology = rheology%with_stress(self%stress**(1 - place))

@@ -1,4 +1,4 @@
-!> Full approximation scheme (FAS) on one level: the coarse problem of a fine state, and the correction from its
+!> Full approximation scheme (FAS) on a level: the coarse problem of a fine state, and the correction from its
 !> solution.
 module ehlwave_fas_level
    use ehlwave_contact_problem, only: contact_problem_t
@@ -14,14 +14,13 @@ module ehlwave_fas_level
    implicit none (type, external)
    private
 
-   !> The data of a cycle on one level. Only coarse levels have a `given`: the finest takes that of the hierarchy's
-   !> level.
+   !> Data of a cycle on a level. Only coarse levels have a `given`: the finest takes it from the hierarchy's level.
    type, public :: fas_level_t
       type(given_t) :: given                       !! by the next finer level, see `restrict`
       type(equations_t) :: equations
       type(state_t) :: state                       !! present iterate
-      type(state_t) :: restricted                  !! on coarse levels: as it came from the finer one
-      type(state_t), private :: next               !! after a sweep or correction; then the one before
+      type(state_t) :: restricted                  !! on coarse levels: as restricted from the finer level
+      type(state_t), private :: next               !! after a sweep or correction; then the previous value
       type(line_relaxation_t), private :: relaxation
    contains
       procedure :: init
@@ -67,17 +66,17 @@ contains
    !> Pose the equations of this level, theory eq. (M2), so that their solution is the injected fine state when that
    !> solves the fine equations. The state is the injected one on return, and evaluated.
    !>
-   !> Right sides go where what is given has room for them: that of the film equation into the roughness, that of
-   !> Reynolds into the carried terms, that of the load balance into its carried term:
+   !> Right sides use the given terms: film equation in the roughness, Reynolds equation in the carried terms, load
+   !> balance in its carried term:
    !>
    !>     H_c = I H_f + K_c(P_c - I P_f) - (Delta_c - Delta_f)
    !>     R_c(P_c, H_c) = R_c(I P_f, I H_f) - I R_f
    !>     load_c(P_c, Delta_c) = load_c(I P_f, Delta_f) - load_f(P_f, Delta_f)
    !>
-   !> R_f is restricted by full weighting of the nodes that are not cavitated, by injection to cavitated ones.
+   !> R_f is restricted by full weighting of the nodes that are not cavitated, by injection to cavitated nodes.
    subroutine restrict(self, problem, fine, fine_given)
       class(fas_level_t), intent(inout) :: self
-      type(contact_problem_t), intent(inout) :: problem     !! of this level
+      type(contact_problem_t), intent(inout) :: problem     !! problem of this level
       type(fas_level_t), intent(in) :: fine                 !! evaluated
       type(given_t), intent(in) :: fine_given               !! with this
       real(dp), allocatable :: rough(:, :), weighted(:, :), dropped(:, :)
@@ -120,11 +119,11 @@ contains
       end associate
    end subroutine restrict
 
-   !> Add the change of the coarse state to that of this level, where there is pressure, and evaluate; no pressure falls
-   !> below zero.
+   !> Add the change of the coarse state to the state of this level, where there is pressure, and evaluate; no pressure
+   !> falls below zero.
    subroutine correct(self, problem, given, coarse)
       class(fas_level_t), intent(inout) :: self
-      type(contact_problem_t), intent(inout) :: problem     !! of this level
+      type(contact_problem_t), intent(inout) :: problem     !! problem of this level
       type(given_t), intent(in) :: given                    !! to it
       type(fas_level_t), intent(in) :: coarse               !! solved
       type(step_limit_t) :: limit

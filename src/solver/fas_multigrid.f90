@@ -1,4 +1,4 @@
-!> Multigrid of the full approximation scheme (FAS) for one level and all below it.
+!> Multigrid of the full approximation scheme (FAS) for a level and all below it.
 !>
 !> Brandt (1977); for these contacts Venner (1991), Venner and Lubrecht (2000).
 module ehlwave_fas_multigrid
@@ -16,7 +16,7 @@ module ehlwave_fas_multigrid
 
    integer, parameter :: sweeps_before = 1, sweeps_after = 2   !! the coarse problem; fewest work units measured
    integer, parameter :: direct_steps = 10           !! Newton steps per visit of the coarsest level
-   real(dp), parameter :: direct_share = 0.01_dp     !! of the residual of the finest level, to be left there
+   real(dp), parameter :: direct_share = 0.01_dp     !! share of the residual of the finest level that may remain
    real(dp), parameter :: divergence = 1e3_dp        !! growth of the residual, over the least, that ends a solve
    !> Cycles without `progress` that end a solve: on grids that do not resolve a heavy contact a film can close, and
    !> then no step may go far (M = 10,000 on 64 to 256 cells).
@@ -27,7 +27,7 @@ module ehlwave_fas_multigrid
       character(len=1) :: cycle = 'f'             !! 'v', 'w' or 'f'
       type(fas_level_t), allocatable, private :: levels(:)   ! coarsest first
       type(newton_t), private :: direct           ! solves the coarsest level
-      real(dp), private :: most_work = huge(1.0_dp)   ! of the hierarchy, from which on no further step begins
+      real(dp), private :: most_work = huge(1.0_dp)   ! work of the hierarchy, from which on no further step begins
    contains
       procedure :: init
       procedure :: solve
@@ -95,14 +95,14 @@ contains
       end associate
    end subroutine solve
 
-   !> One cycle from an evaluated state to an evaluated state.
+   !> A cycle from an evaluated state to an evaluated state.
    recursive subroutine fas_cycle(self, hierarchy, l, given, cycle, tolerance)
       class(fas_t), intent(inout) :: self
       type(hierarchy_t), intent(inout) :: hierarchy
       integer, intent(in) :: l
       type(given_t), intent(in) :: given        !! to that level
       character(len=1), intent(in) :: cycle
-      real(dp), intent(in) :: tolerance         !! of the coarsest level
+      real(dp), intent(in) :: tolerance         !! tolerance of the coarsest level
       integer :: visit
 
       if (hierarchy%work() >= self%most_work) return   ! no correction
@@ -120,7 +120,7 @@ contains
       call self%levels(l)%relax(hierarchy%levels(l)%problem, given, sweeps_after)
    end subroutine fas_cycle
 
-   !> Newton's method, for what a finer level poses on the coarsest.
+   !> Newton's method for the coarse problem of a finer level on the coarsest.
    subroutine solve_directly(self, hierarchy, tolerance)
       class(fas_t), intent(inout) :: self
       type(hierarchy_t), intent(inout) :: hierarchy

@@ -1,4 +1,4 @@
-!> Full multigrid (FMG): solve on the coarsest grid, interpolate, solve on the next finer one, and so on.
+!> Full multigrid (FMG): solve on the coarsest grid, interpolate, solve on the next finer grid, and so on.
 module ehlwave_full_multigrid
    use ehlwave_equations, only: equations_t
    use ehlwave_hierarchy, only: hertz_guess, hierarchy_t
@@ -12,7 +12,7 @@ module ehlwave_full_multigrid
    !> A hierarchy and its solvers, which `ehlwave_solver_choice` gives it.
    type, extends(hierarchy_t), public :: full_multigrid_t
       class(level_solver_t), allocatable :: solver
-      class(level_solver_t), allocatable :: coarse_solver   !! of all but the finest level, where that is another
+      class(level_solver_t), allocatable :: coarse_solver   !! solver of all levels except the finest, if different
    contains
       procedure :: solve
       procedure :: solve_level
@@ -24,7 +24,7 @@ module ehlwave_full_multigrid
 
 contains
 
-   !> Solve one level from the guess in its state.
+   !> Solve a level from the guess in its state.
    subroutine solve_level(self, l, limits, report)
       class(full_multigrid_t), intent(inout), target :: self
       integer, intent(in) :: l
@@ -37,7 +37,7 @@ contains
       end if
    end subroutine solve_level
 
-   !> Equations of the state that a level was last left with by `solve_level`, until the next one; or none.
+   !> Equations of the state last left on a level by `solve_level`, until the next; or none.
    function last_equations(self, l) result(equations)
       class(full_multigrid_t), intent(in), target :: self
       integer, intent(in) :: l
@@ -51,8 +51,8 @@ contains
 
    !> Steady solution on the finest level, from a Hertz guess on the coarsest.
    !>
-   !> Coarse grids may be too coarse for the case: from a level that does not converge the next one does not get what
-   !> that came to, but the guess of Hertz. Only the report of the finest level counts.
+   !> Coarse grids may be too coarse for the case: after a level that does not converge the next starts from the
+   !> guess of Hertz. Only the report of the finest level counts.
    subroutine solve(self, limits, coarse_tolerance)
       class(full_multigrid_t), intent(inout) :: self
       type(solve_limits_t), intent(in) :: limits        !! for the finest level
@@ -79,7 +79,7 @@ contains
       end do
    end subroutine solve
 
-   !> Tolerance so many levels below the finest. One that follows the discretisation error grows as that does: with the
+   !> Tolerance so many levels below the finest. A tolerance that follows the discretisation error grows with the
    !> square of the mesh size.
    pure real(dp) function tolerance_below(finest, coarse, levels)
       real(dp), intent(in) :: finest, coarse   !! tolerances
@@ -89,9 +89,9 @@ contains
       if (finest > coarse) tolerance_below = max(finest, min(loosest, finest*4.0_dp**levels))
    end function tolerance_below
 
-   !> Solve the levels next below a solved finest one that have no solution of this contact, each from the next finer
-   !> one: error estimates compare them. Full multigrid leaves none where a level did not converge from the coarser
-   !> ones, a rescue none at all.
+   !> Solve the levels below a solved finest level that have no solution of this contact, each from the next finer
+   !> level: error estimates compare them. Full multigrid leaves no solution where a level did not converge from the
+   !> coarser levels; a rescue leaves none at all.
    subroutine solve_below(self, limits)
       class(full_multigrid_t), intent(inout) :: self
       type(solve_limits_t), intent(in) :: limits

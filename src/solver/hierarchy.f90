@@ -1,4 +1,4 @@
-!> The grids of one contact, with all that belongs to each.
+!> The grids of a contact, with all data of each.
 module ehlwave_hierarchy
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_assertions, only: assert, checks
@@ -17,20 +17,20 @@ module ehlwave_hierarchy
    private
    public :: hertz_guess, work_of
 
-   !> One level: its problem, what its solution is given, its unknowns and what the last solve of it came to.
+   !> A level: its problem, the data of its solution, its unknowns and the outcome of its last solve.
    type, public :: level_t
       type(contact_problem_t) :: problem
       type(given_t) :: given       !! the steady state of smooth surfaces at first; a time march gives more
       type(state_t) :: state
       type(solve_report_t) :: report
-      real(dp) :: central_film = no_value, minimum_film = no_value   !! of its steady solution; NaN: none for this
+      real(dp) :: central_film = no_value, minimum_film = no_value   !! films of its steady solution; NaN: none for this
                                                                      !! contact
    contains
       procedure :: has_film
    end type level_t
 
-   !> It owns the levels, and solvers work on those of the hierarchy that is given to them. FFTW ties the deformation of
-   !> a level to its place in memory: a hierarchy is not to be copied.
+   !> The hierarchy owns the levels; solvers work on the hierarchy passed to them. FFTW ties the deformation of a level
+   !> to its place in memory: do not copy a hierarchy.
    type, public :: hierarchy_t
       type(level_t), allocatable :: levels(:)   !! level 1 is the coarsest
    contains
@@ -78,7 +78,7 @@ contains
    end subroutine build
 
    !> Give all levels other conditions of a contact with the same ratio of radii, and the oil under them. The films of
-   !> the levels were those of another contact and are forgotten.
+   !> the levels belong to the former contact and are dropped.
    subroutine set_conditions(self, conditions, rheology)
       class(hierarchy_t), intent(inout) :: self
       type(conditions_t), intent(in) :: conditions
@@ -113,7 +113,7 @@ contains
       work = work_of(self%levels)
    end function work
 
-   !> The same of some levels.
+   !> Work of some levels.
    pure real(dp) function work_of(levels)
       type(level_t), intent(in) :: levels(:)
       integer :: l
@@ -123,7 +123,7 @@ contains
       end do
    end function work_of
 
-   !> First guess of a level: the solution of the next coarser one, on the coarsest that of Hertz.
+   !> First guess of a level: the solution of the next coarser level, on the coarsest the Hertz solution.
    subroutine start_level(self, l)
       class(hierarchy_t), intent(inout) :: self
       integer, intent(in) :: l
@@ -140,7 +140,7 @@ contains
       end associate
    end subroutine start_level
 
-   !> First guess of a level below the finest: the solution of the next finer one.
+   !> First guess of a level below the finest: the solution of the next finer level.
    subroutine start_from_finer(self, l)
       class(hierarchy_t), intent(inout) :: self
       integer, intent(in) :: l

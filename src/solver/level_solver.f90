@@ -1,4 +1,4 @@
-!> One interface for every way to solve the discrete problem of one level.
+!> One interface for every way to solve the discrete problem of a level.
 module ehlwave_level_solver
    use ehlwave_equations, only: equations_t
    use ehlwave_hierarchy, only: hierarchy_t
@@ -6,7 +6,7 @@ module ehlwave_level_solver
    implicit none (type, external)
    private
 
-   !> A solver has work space for a hierarchy and no memory of what it solved.
+   !> A solver has work space for a hierarchy and keeps nothing of former solves.
    type, abstract, public :: level_solver_t
    contains
       procedure(init_solver), deferred :: init
@@ -31,7 +31,7 @@ module ehlwave_level_solver
          import :: hierarchy_t, level_solver_t, solve_limits_t, solve_report_t
          implicit none (type, external)
          class(level_solver_t), intent(inout) :: self
-         type(hierarchy_t), intent(inout), target :: hierarchy   !! that of `init`
+         type(hierarchy_t), intent(inout), target :: hierarchy   !! hierarchy of `init`
          integer, intent(in) :: l                        !! level
          type(solve_limits_t), intent(in) :: limits
          type(solve_report_t), intent(out) :: report
@@ -40,7 +40,7 @@ module ehlwave_level_solver
 
 contains
 
-   !> Equations of the state that the last solve ended with, until the next one; none where a solver has not kept them.
+   !> Equations of the state at the end of the last solve, until the next; none where a solver has not kept them.
    function last_equations(self) result(equations)
       class(level_solver_t), intent(in), target :: self
       type(equations_t), pointer :: equations

@@ -20,16 +20,16 @@ module ehlwave_line_relaxation
    implicit none (type, external)
    private
 
-   real(dp), parameter :: damping = 0.9_dp             ! of both kinds of change
+   real(dp), parameter :: damping = 0.9_dp             ! factor of both kinds of change
 
-   !> Lines that a thread takes at once where there are several. A line reads its neighbours: with one at a time, each
-   !> thread reads all of the grid. Steady state of M = 100, D = 1 on 1024^2 cells, two threads, medians of 14 runs in
-   !> turn: 0.89 s with one, 0.78, 0.82, 0.86 s with 2, 4, 8.
+   !> Lines that a thread takes at once. A line reads its neighbours: with single lines, each thread reads the whole
+   !> grid. Steady state of M = 100, D = 1 on 1024^2 cells, two threads on an Intel Xeon, medians of 14 runs in turn:
+   !> 0.89 s with 1 line, 0.78, 0.82, 0.86 s with 2, 4, 8.
    integer, parameter :: lines_at_once = 2
 
    type, public :: line_relaxation_t
-      type(relaxation_change_t), private :: kinds               ! of change
-      real(dp), allocatable, private :: change(:, :)            ! of P in this sweep
+      type(relaxation_change_t), private :: kinds               ! kinds of change
+      real(dp), allocatable, private :: change(:, :)            ! change of P in this sweep
       type(line_system_t), allocatable, private :: line(:, :)   ! (lines at once, 0:threads-1)
    contains
       procedure :: init
@@ -90,7 +90,7 @@ contains
             end do
          end do
          next%delta = state%delta
-         call problem%edges%impose(given, state%h, next%p)   ! one sweep behind: of the film before it
+         call problem%edges%impose(given, state%h, next%p)   ! from the film before the sweep
          call problem%film(given, next%p, next%delta, next%h)
          call limit%shorten(state, next)
          call state%exchange(next)
@@ -124,7 +124,7 @@ contains
       end associate
    end subroutine relax_lines
 
-   !> Changes of one line whose matrix has been factorised.
+   !> Changes of a line whose matrix has been factorised.
    subroutine change_line(self, line, equations, state, j)
       class(line_relaxation_t), intent(inout) :: self
       type(line_system_t), intent(inout) :: line

@@ -1,4 +1,4 @@
-!> The linear system of one line of nodes along X: changes that make its residuals vanish.
+!> The linear system of a line of nodes along X: changes that make its residuals vanish.
 !>
 !> It has the band of the line's own flow and deformation. Pressure changes of other lines are on the right side, their
 !> deformation is left out. Cavitated nodes have an equation that takes their pressure to zero.
@@ -13,13 +13,13 @@ module ehlwave_line_system
    private
    public :: new_line_system
 
-   !> Work space of one line; what a thread works on.
+   !> Work space of a line, for a thread.
    type, public :: line_system_t
       type(band_t) :: band                                  !! n of it: nodes up to the last that is not cavitated
       real(dp), allocatable :: delta(:)                     !! its right side, then its solution
-      real(dp), allocatable, private :: by_p(:, :), by_h(:, :)   ! derivatives, (node, link), in one more column by both
+      real(dp), allocatable, private :: by_p(:, :), by_h(:, :)   ! derivatives, (node, link), an extra column for both
                                                                  ! neighbours across
-      integer, allocatable :: kind(:)                       !! of the change of each node
+      integer, allocatable :: kind(:)                       !! kind of the change of each node
    contains
       procedure :: set_up
       procedure :: set_right_side
@@ -57,7 +57,7 @@ contains
          by_h(:n, across) = by_h(:n, 4) + by_h(:n, 5)
          by_p(:n, across) = by_p(:n, 4) + by_p(:n, 5)
          first = 1
-         do while (first <= n)      ! runs of columns of one kind
+         do while (first <= n)      ! runs of columns of a kind
             last = first
             do while (last < n)
                if (self%kind(last + 1) /= self%kind(first)) exit
@@ -102,7 +102,7 @@ contains
    subroutine set_right_side(self, equations, change, j, n)
       class(line_system_t), intent(inout) :: self
       type(equations_t), intent(in) :: equations
-      real(dp), intent(in), contiguous :: change(0:, 0:)   !! of P in this sweep, (0:nx, 0:ny)
+      real(dp), intent(in), contiguous :: change(0:, 0:)   !! change of P in this sweep, (0:nx, 0:ny)
       integer, intent(in) :: j, n              !! line; its first nodes, the others are cavitated
       integer :: i, jm, jp
 

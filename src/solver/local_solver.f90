@@ -22,10 +22,11 @@ module ehlwave_local_solver
          class(local_solver_t), intent(inout) :: self
          type(contact_problem_t), intent(inout) :: problem
          type(given_t), intent(in) :: given
-         type(equations_t), intent(in) :: equations     !! of the problem, with what is given, at the state
-         type(solve_limits_t), intent(in) :: limits     !! of the solve that asks
+         type(equations_t), intent(in) :: equations     !! equations of the problem, with its data, at the state
+         type(solve_limits_t), intent(in) :: limits     !! limits of the calling solve
          type(state_t), intent(in) :: state
-         real(dp), allocatable, intent(out) :: p(:, :)  !! of the whole, (0:nx, 0:ny); not allocated where none was
+         real(dp), allocatable, intent(out) :: p(:, :)  !! pressure of the whole, (0:nx, 0:ny); not allocated without a
+                                                        !! patch
                                                         !! found
       end subroutine improve_part
    end interface

@@ -11,20 +11,20 @@ module ehlwave_meniscus
    private
    public :: fill_ahead, hold_empty, is_full_to_edge
 
-   !> Besides the node that overflows, `fill_ahead` fills this share of the way to the contact at most: the pressure
-   !> that a step far from the solution leaves in a wide gap says little, and close to the contact the gap follows it.
+   !> Share of the way to the contact that `fill_ahead` fills at most, besides the overflowing node. In a wide gap the
+   !> pressure of a step far from the solution is meaningless; close to the contact the gap follows it.
    real(dp), parameter :: farthest_share = 0.05_dp
 
 contains
 
-   !> Let a step fill all nodes that it makes overflow, in a steady state. The last partly filled node i of a row takes
-   !> up what pressure drives back into it: s times what would fill its gap. Where s > 1 only this node would be full in
-   !> the next step, its neighbour upstream in the one after, and so on. With a pressure that falls evenly to 0 over
-   !> s hX from node i + 1 upstream, what flows back is what fills the gap: there the meniscus lies.
+   !> Fill all nodes that overflow in a step, in a steady state. Pressure drives s times the missing content back into
+   !> the last partly filled node i of a row. With s > 1 a plain step would fill only this node, the next step its
+   !> neighbour upstream, and so on. A pressure that falls evenly to 0 over s hX from node i + 1 upstream drives back
+   !> just the missing content: there the meniscus lies.
    pure subroutine fill_ahead(equations, state, change)
       type(equations_t), intent(in) :: equations   !! evaluated at the state
       type(state_t), intent(in) :: state           !! before the step
-      real(dp), intent(inout) :: change(0:, 0:)    !! of P by the step, (0:nx, 0:ny)
+      real(dp), intent(inout) :: change(0:, 0:)    !! change of P by the step, (0:nx, 0:ny)
       real(dp) :: by_h(1, flow_links), by_p(1, flow_links), next, share
       integer, parameter :: east = 2               ! link
       integer :: i, j, m
@@ -51,7 +51,7 @@ contains
 
    !> Whether the gap is full from the inlet edge on, at Y = 0.
    pure logical function is_full_to_edge(equations)
-      type(equations_t), intent(in) :: equations   !! of a solution
+      type(equations_t), intent(in) :: equations   !! equations of a solution
       associate (grid => equations%mesh%grid)
          is_full_to_edge = last_partial(equations%content, grid, minloc(abs(grid%y), 1) - 1) <= 1
       end associate

@@ -65,7 +65,7 @@ contains
       type(given_t), intent(in) :: given
       type(equations_t), intent(in) :: equations    !! evaluated at the point of linearisation
       real(dp), intent(in) :: by_delta(0:, 0:)      !! dR/dDelta, (0:nx, 0:ny)
-      real(dp), intent(in) :: weight(0:, 0:)        !! of the Reynolds rows
+      real(dp), intent(in) :: weight(0:, 0:)        !! weight of the Reynolds rows
       real(dp), intent(out) :: a(:)                 !! (size(column))
       real(dp) :: rows(equations%mesh%grid%last_row - equations%mesh%grid%first_row + 1, self%kernel%entries)
       integer :: di, dj, entry, i, j, load_row

@@ -17,14 +17,15 @@ module ehlwave_newton
    implicit none (type, external)
    private
 
-   real(dp), parameter :: last_step_share = 0.2_dp   !! of the tolerance, left by the linear solver in the last step
-   ! Of oils that are not Newtonian:
+   real(dp), parameter :: last_step_share = 0.2_dp   !! share of the tolerance, left by the linear solver in the last
+                                                     !! step
+   ! Oils that are not Newtonian:
    real(dp), parameter :: much_worse = 2         !! right side over the smallest so far above which a step is taken back
                                                  !! by halves
-   real(dp), parameter :: starved_worse = 30     !! the same where a meniscus moves: its nodes have other residuals at
+   real(dp), parameter :: starved_worse = 30     !! limit where a meniscus moves: its nodes have other residuals at
                                                  !! each place (M = 61, L = 3.9, D = 0.32, r = 0.57: a stall with 2)
    integer, parameter :: most_halvings = 10
-   real(dp), parameter :: progress = 0.9_dp      !! of the smallest right side, or less, to be reached in so many steps
+   real(dp), parameter :: progress = 0.9_dp      !! share of the smallest right side to be reached in so many steps
    integer, parameter :: patience = 15, starved_patience = 10
    ! Starved contacts whose film closes come to rest away from the solution, at a right side that changes by less than
    ! this share for so many steps; so do contacts that a coarse grid does not resolve.
@@ -32,17 +33,17 @@ module ehlwave_newton
    integer, parameter :: most_starved_rests = 3, most_coarse_rests = 6
    !> Right side after a step that was cut, over that before, above which it is taken back and made shorter.
    real(dp), parameter :: cut_gain = 0.3_dp
-   !> Linear tolerance of starved contacts, at most: what is left of the large residuals at the meniscus would move all
-   !> of it by some cells (M = 149, L = 14, D = 0.14, r = 1.6, 192 x 64 cells: 9 Newton steps in place of a stall).
+   !> Largest linear tolerance of starved contacts: looser, the remaining residuals at the meniscus would move it by
+   !> some cells and stall the method (M = 149, L = 14, D = 0.14, r = 1.6, 192 x 64 cells).
    real(dp), parameter :: starved_forcing = 5e-3_dp
 
-   !> Iterations with limits and patience; what one of them does is `newton_step_t`'s.
+   !> Iterations with limits and patience; `newton_step_t` does a single iteration.
    type, extends(level_solver_t), public :: newton_t
       type(step_limit_t) :: limit
       real(dp) :: loosest = 0.035_dp             !! linear tolerance far from the solution
-      real(dp) :: tightest = 1e-4_dp             !! and close to it
+      real(dp) :: tightest = 1e-4_dp             !! tolerance close to the solution
       integer :: largest_krylov = 60
-      class(local_solver_t), allocatable :: local   !! takes what is large in a small part of the domain only
+      class(local_solver_t), allocatable :: local   !! for residuals large in a small part of the domain only
       type(newton_step_t), private :: step
    contains
       procedure :: init
@@ -62,7 +63,7 @@ contains
       call self%init_levels(hierarchy%levels(:finest))
    end subroutine init
 
-   !> The same for some levels.
+   !> Initialise some levels.
    subroutine init_levels(self, levels)
       class(newton_t), intent(inout) :: self
       type(level_t), intent(in) :: levels(:)   !! coarsest first
@@ -83,7 +84,7 @@ contains
       call state%move_to(hierarchy%levels(l)%state)
    end subroutine solve
 
-   !> The same for the last of some levels, with another state and whatever else is given.
+   !> Improve the last of some levels, with another state and other data.
    recursive subroutine improve(self, levels, given, state, limits, report)
       class(newton_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! coarsest first
@@ -105,7 +106,7 @@ contains
       rests = 0
       work_before = work_of(levels)
       forcing = self%loosest
-      ! what heat changes is smooth, and a part alone may end beside the solution
+      ! changes by heat are smooth, and a part alone may end beside the solution
       asks_local = allocated(self%local) .and. .not. allocated(given%supply) .and. &
                    .not. allocated(levels(size(levels))%problem%heat)
       is_starved = given%conserves_oil()
@@ -210,8 +211,8 @@ contains
       end if
    end function next_forcing
 
-   !> Let the local solver do what it can, and assemble again. Where that is no gain for the whole, as upstream in
-   !> steady states, which carry all that the part changes downstream, take it back.
+   !> Apply the local solver, and assemble again. Revert it where the whole does not gain, as upstream in steady
+   !> states, where changes of the part move downstream.
    recursive subroutine improve_part(self, problem, given, limits, state, worth, is_gain)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
@@ -241,16 +242,16 @@ contains
       call self%step%assemble(problem, given, state, worth)
    end subroutine improve_part
 
-   !> Go half of the way back to the state before, again and again, while the right side is much larger than the
+   !> Go half of the way back to the previous state, again and again, while the right side is much larger than the
    !> smallest so far. The flow of oils that are not Newtonian can grow exponentially with the pressure gradient: a step
-   !> that makes the steep end steeper would be paid back by one factor e a step (line contact, M = 300, L = 12, tau0 =
-   !> 0.5 MPa: from 0.2 to 1e7 in one step).
+   !> that makes the steep end steeper recovers only by a factor e per step (line contact, M = 300, L = 12, tau0 = 0.5
+   !> MPa: from 0.2 to 1e7 in a step).
    subroutine go_back(self, problem, given, before, most, largest_work, levels, state, worth)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(given_t), intent(in) :: given
       type(state_t), intent(in) :: before
-      real(dp), intent(in) :: most               !! norm of the right side that stands
+      real(dp), intent(in) :: most               !! norm of the current right side
       real(dp), intent(in) :: largest_work       !! on the levels, from which on it goes no farther
       type(level_t), intent(in) :: levels(:)
       type(state_t), intent(inout) :: state

@@ -1,4 +1,4 @@
-!> One step of Newton's method: right side, linear system, direction, length.
+!> A step of Newton's method: right side, linear system, direction, length.
 module ehlwave_newton_step
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_bent_step, only: bend
@@ -17,7 +17,7 @@ module ehlwave_newton_step
    implicit none (type, external)
    private
 
-   !> The contact linearised on every level, of which the coarser ones precondition the finer, and the work space of a
+   !> The contact linearised on every level, where coarser levels precondition finer ones, and the work space of a
    !> step.
    type, public :: newton_step_t
       type(linearised_contact_t) :: linear
@@ -26,7 +26,7 @@ module ehlwave_newton_step
       real(dp), allocatable, private :: rhs(:), change(:), film_change(:, :)
       logical :: is_cut = .false.                !! the last step: node by node, see `take`
       type(state_t), private :: before           ! where that began
-      real(dp), allocatable, private :: shorter_change(:)   ! of it as a whole
+      real(dp), allocatable, private :: shorter_change(:)   ! shorter change as a whole
       logical, allocatable :: cavitated_before(:, :)
       logical, allocatable, private :: cavitated_earlier(:, :)
    contains
@@ -39,16 +39,16 @@ module ehlwave_newton_step
       procedure :: take_shorter
    end type newton_step_t
 
-   !> Of an iterate; solutions are clipped at 0. Where the pressure of a heavy contact falls to nothing within a cell,
-   !> what flows to the last node grows as exp(-alphabar P): M = 2000, L = 20, D = 0.07, 384 x 192 cells, fitted, took
-   !> 16 Newton and 235 GMRES steps with -0.02, 5 and 30 with this.
+   !> Lowest pressure of an iterate; solutions are clipped at 0. Where the pressure of a heavy contact vanishes within
+   !> a cell, the flow to the last node grows as exp(-alphabar P). A bound of -0.02 takes three times as many Newton
+   !> steps (M = 2000, L = 20, D = 0.07, 384 x 192 cells, fitted: 16 in place of 5).
    real(dp), parameter :: lowest_pressure = -0.002_dp
-   real(dp), parameter :: few = 0.01_dp                !! of the nodes, whose changes are cut one by one
-   real(dp), parameter :: much_shorter = 0.5_dp        !! of a step, where they are
+   real(dp), parameter :: few = 0.01_dp                !! share of the nodes, whose changes are cut individually
+   real(dp), parameter :: much_shorter = 0.5_dp        !! share of a step, where they are
 
 contains
 
-   !> Make ready to solve the last of the levels with what is given.
+   !> Prepare to solve the last of the levels with given data.
    subroutine pose(self, levels, given)
       class(newton_step_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)
@@ -114,9 +114,9 @@ contains
       end associate
    end function worth_of_same
 
-   !> Newton direction in `change`. The factors are made afresh: that costs about one GMRES step and a half, and factors
-   !> of the step before need two more on average, many more where the pattern moves the edge of the film. Where the
-   !> factors do not serve (incomplete ones can be unstable), they are made again with a stronger diagonal.
+   !> Newton direction in `change`. The factors are made afresh, at the cost of 1.5 GMRES steps. Factors of the previous
+   !> step need two more steps on average, many more where the pattern moves the edge of the film. Where the factors
+   !> fail (incomplete ones can be unstable), they are made again with a stronger diagonal.
    subroutine solve(self, levels, forcing, largest_work, report)
       class(newton_step_t), intent(inout) :: self
       type(level_t), intent(in) :: levels(:)
@@ -154,8 +154,8 @@ contains
    !> Step along `change`, made shorter so that the pressure change and the film stay within their limits, and bent.
    !> False if there is no step to take.
    !>
-   !> Where a few nodes of a steep spike ask for much more than the limit of pressures, a step that may be cut cuts
-   !> their changes and goes all the way elsewhere: a shorter one would leave the most part of all other residuals.
+   !> Where a few nodes of a steep spike exceed the limit of pressures, a step with cuts limits their changes and
+   !> goes all the way elsewhere. A shorter step would leave most other residuals.
    !>
    !> Pressures may become slightly negative: the active set makes them zero in the next step. Clipping them at zero
    !> here instead leaves neighbours with changes that counted on the negative value, and the active set can go round

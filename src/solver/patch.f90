@@ -14,8 +14,8 @@ module ehlwave_patch
 
 contains
 
-   !> Grid of the nodes first(1)..last(1), first(2)..last(2) of another, of an elliptical contact: their outer ones are
-   !> known, but for a line of symmetry.
+   !> Grid of the nodes first(1)..last(1), first(2)..last(2) of another grid of an elliptical contact: outer nodes are
+   !> known, except on a line of symmetry.
    pure function patch_grid(grid, first, last) result(self)
       type(grid_t), intent(in) :: grid
       integer, intent(in) :: first(2), last(2)   !! i and j
@@ -35,15 +35,15 @@ contains
       self%weight = grid%weight(first(2):last(2))
    end function patch_grid
 
-   !> Give a level, whose problem was laid out for a patch of this size, problem and state of the patch at the state of
-   !> the whole: the pressure at its outer nodes and the approach are held, the gap is what the pressure outside leaves.
-   !> Of a patch beside the line of symmetry the deformation by its mirror image is held too.
+   !> Set problem and state of a patch at the state of the whole, on a level laid out for its size. The pressure at its
+   !> outer nodes and the approach are held; the pressure outside fixes the gap. Beside the line of symmetry the
+   !> deformation by the mirror image is held too.
    subroutine cut(whole, given, equations, state, grid, first, patch)
       type(contact_problem_t), intent(in) :: whole
       type(given_t), intent(in) :: given           !! to the whole
-      type(equations_t), intent(in) :: equations   !! of the whole at the state
+      type(equations_t), intent(in) :: equations   !! equations of the whole at the state
       type(state_t), intent(in) :: state
-      type(grid_t), intent(in) :: grid             !! of the patch
+      type(grid_t), intent(in) :: grid             !! grid of the patch
       integer, intent(in) :: first(2)              !! its first node in the whole: i and j
       type(level_t), intent(inout) :: patch
       integer :: i, last(2)
@@ -75,7 +75,7 @@ contains
          if (allocated(transport%w3)) deallocate (transport%w3)
          if (.not. allocated(from%w3)) return
          allocate (transport%w3(0:grid%nx), source=from%w3(first(1):last(1)))
-         do i = 1, 2               ! the same of the third
+         do i = 1, 2               ! likewise for the third order
             if (first(1) + i >= 3) transport%carried(i, :) = transport%carried(i, :) &
                + transport%w3(i)*equations%flow%f(first(1) + i - 3, first(2):last(2))
          end do

@@ -21,22 +21,22 @@ module ehlwave_patch_solver
 
    !> The patch of the last solve: its size alone is of use to the next.
    type, extends(local_solver_t), public :: patch_solver_t
-      type(level_t), allocatable, private :: patch(:)   ! one
+      type(level_t), allocatable, private :: patch(:)   ! single
       type(newton_t), private :: newton
    contains
       procedure :: improve_part
    end type patch_solver_t
 
-   real(dp), parameter :: quiet_share = 0.03_dp     !! of the largest residual: nodes below do not call for a patch
-   real(dp), parameter :: largest_patch = 0.2_dp    !! of the nodes of the whole
+   real(dp), parameter :: quiet_share = 0.03_dp  !! share of the largest residual: nodes below do not call for a patch
+   real(dp), parameter :: largest_patch = 0.2_dp    !! share of the nodes of the whole
    integer, parameter :: margin = 4                 !! nodes around those that call for it
    integer, parameter :: size_step = 8              !! patches have multiples of so many cells, so that few sizes occur
    integer, parameter :: most_steps = 6
-   real(dp), parameter :: enough = 0.3_dp           !! residual in the patch over what is left outside
+   real(dp), parameter :: enough = 0.3_dp           !! residual in the patch over the residual outside
 
 contains
 
-   !> See the interface. What is done depends on the state alone.
+   !> See the interface. The choice depends on the state alone.
    subroutine improve_part(self, problem, given, equations, limits, state, p)
       class(patch_solver_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
@@ -71,7 +71,7 @@ contains
       end associate
    end subroutine improve_part
 
-   !> Work space for patches of a size, on this level of the grids, where that of the last one does not do.
+   !> Work space for patches of a size, on this level of the grids, where the last does not fit.
    subroutine make_room(self, problem, grid)
       class(patch_solver_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
@@ -91,7 +91,7 @@ contains
    end subroutine make_room
 
    !> The patch: all nodes whose residual is not small against the largest one, and some around. None (last = first)
-   !> where that is not worth it.
+   !> where a patch does not pay.
    subroutine find(grid, equations, state, limits, first, last, quiet)
       type(grid_t), intent(in) :: grid
       type(equations_t), intent(in) :: equations

@@ -1,9 +1,9 @@
 !> The two kinds of change of a line relaxation, and where which is used.
 !>
-!> Venner (1991); Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapter 6. Where Poiseuille flow rules
-!> a change is single: of the pressure of one node. Where it is weak, the equation is one for the deformation, whose
-!> kernel reaches far: there a change is distributive, 1 at the node and in sum -1 at its four neighbours, and its
-!> deformation falls as 1/r^3.
+!> Venner (1991); Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapter 6. Where Poiseuille flow
+!> dominates, a change is single: the pressure of one node. Where it is weak, the equation determines the deformation,
+!> whose kernel reaches far: there a change is distributive, 1 at the node and in sum -1 at its four neighbours, and
+!> its deformation falls as 1/r^3.
 module ehlwave_relaxation_change
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_kernel, only: cell_influence
@@ -19,27 +19,27 @@ module ehlwave_relaxation_change
    !> It grows with the square of their aspect: single changes in long cells deform many of their neighbours.
    real(dp), parameter :: switch_of_squares = 3
 
-   !> The same of an oil that is not Newtonian. The ratio counts the flow along X and across; where sliding makes that
-   !> along X several times easier, less of it couples one line to the next, and single changes spread at ratios that
-   !> would do otherwise.
+   !> Switch for an oil that is not Newtonian. The ratio counts the flow along X and across. Where sliding makes the
+   !> flow along X several times easier, lines couple less, and single changes spread at ratios that would do
+   !> otherwise.
    real(dp), parameter :: switch_of_easy_flow = 6
 
-   !> The same of an oil that thickens about as much by a pressure at the Hertz pressure as at none. Its spike grows
-   !> with each finer grid (Barus' law, M = 20, L = 10: 2.5, 3.3, 4.5, 6.3 on 256^2 to 2048^2 cells), and the flow
-   !> changes there by a large factor from node to node, so that the sum of the flows to all sides says little of the
-   !> coupling. On 2048^2 cells cycles do not converge with a switch of 3.
+   !> Switch for an oil whose thickening by a pressure increment is as strong at the Hertz pressure as at zero
+   !> pressure. Its spike grows with refinement (Barus' law, M = 20, L = 10: 2.5, 3.3, 4.5, 6.3 on 256^2 to 2048^2
+   !> cells). The flow changes there by a large factor between nodes, so that the sum of the flows to all sides is a
+   !> poor measure of coupling. On 2048^2 cells cycles do not converge with a switch of 3.
    real(dp), parameter :: switch_of_steep_spike = 6
 
-   !> The same of a fitted grid, whose differences upstream see the changes of a line more strongly. M = 1000, D = 1,
-   !> 512^2 cells to 1e-3: 40 cycles and no end with 3, 7 cycles with 6, 5 with 12.
+   !> Switch on a fitted grid, whose upstream differences respond more strongly to changes of a line. M = 1000, D =
+   !> 1, 512^2 cells to 1e-3: 40 cycles without convergence with 3, 7 cycles with 6, 5 with 12.
    real(dp), parameter :: switch_of_fitted = 12
-   real(dp), parameter :: steep_share = 0.9_dp   ! of the thickening at P = 0, at P = 1
+   real(dp), parameter :: steep_share = 0.9_dp   ! ratio of the thickening at P = 0 to its value at P = 1
 
    !> Changes of strength 1 on a grid.
    type, public :: relaxation_change_t
       integer :: reach = 3                             !! nodes along X within which a line sees its own deformation
       real(dp) :: switch = 0                           !! `switch_of_squares` for the cells of this grid
-      real(dp) :: share_x = 0, share_y = 0             !! of a distributive change at its neighbours
+      real(dp) :: share_x = 0, share_y = 0             !! shares of a distributive change at its neighbours
       real(dp), allocatable :: shape(:, :, :)          !! pressure of a change, (-reach-2:reach+2, 0:1, kind)
       real(dp), allocatable :: influence(:, :, :)      !! its deformation
    end type relaxation_change_t

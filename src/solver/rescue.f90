@@ -1,7 +1,8 @@
-!> The rescue ladder: further attempts when a solve fails, rung by rung, under one cap on the work of a case.
+!> The rescue ladder: further attempts when a solve fails, rung by rung, under a common cap on the work of a case.
 !>
-!> Rungs, in this order: from the solution before (time steps only), continuation from an easier neighbour, Newton's
-!> method where another one was asked for, Newton's method with short steps, PETSc where the build has it.
+!> Rungs, in this order: from the previous solution (time steps only), continuation from an easier neighbour,
+!> Newton's method where another method was requested, Newton's method with short steps, PETSc where the build has
+!> it.
 module ehlwave_rescue
    use ehlwave_capped_solver, only: capped_solver_t
    use ehlwave_continuation, only: adaptive_path_t, neighbour_t
@@ -23,15 +24,14 @@ module ehlwave_rescue
    integer, parameter, public :: rung_direct = 0, rung_restart = 1, rung_continuation = 2, rung_newton = 3, &
                                  rung_damped = 4, rung_petsc = 5
 
-   !> of damped
+   !> Limits of damped
    type(step_limit_t), parameter :: short_steps = step_limit_t(largest_change=0.05_dp, smallest_film_factor=0.5_dp)
    integer, parameter :: damped_patience = 4           !! times as many steps as usual
-   integer, parameter :: steps_below = 20              !! for a level that starts from the solution of the next finer
-                                                       !! one
+   integer, parameter :: steps_below = 20              !! for a level that starts from the next finer solution
 
    type, extends(capped_solver_t), public :: rescue_t
-      logical :: is_ready = .true.       !! climb the ladder; false: only what costs little
-      integer :: rung = rung_direct      !! the highest one that a solution needed, or that was tried in vain
+      logical :: is_ready = .true.       !! climb the ladder; false: cheap attempts only
+      integer :: rung = rung_direct      !! the highest rung that a solution needed, or that failed
       integer :: rescued = 0             !! solutions that took more than the direct solve
    contains
       procedure :: solve_steady
@@ -96,13 +96,13 @@ contains
       end associate
    end subroutine find_steady
 
-   !> One solution of the finest level, from the first guess in its state: a time step, or a pattern that stands still.
-   !> When that fails: from the solution before, then the ladder.
+   !> A solution of the finest level, from the first guess in its state: a time step, or a stationary pattern. If it
+   !> fails: from the previous solution, then the ladder.
    subroutine solve_step(self, multigrid, before, given_before, limits)
       class(rescue_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       type(state_t), intent(in) :: before              !! the last solution
-      type(given_t), intent(in) :: given_before        !! and what it was given
+      type(given_t), intent(in) :: given_before        !! its given data
       type(solve_limits_t), intent(in) :: limits
       logical :: starts_there
 
@@ -203,7 +203,7 @@ contains
       end associate
    end subroutine continue_conditions
 
-   !> Continuation from the last solution: what is given changes from its values then to those now by degrees.
+   !> Continuation from the last solution: given data change gradually from their former to their present values.
    subroutine continue_step(self, multigrid, before, given_before, limits)
       type(rescue_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid

@@ -17,11 +17,11 @@ module ehlwave_solve_report
       integer :: largest_steps = 40     !! nonlinear steps or cycles
       real(dp) :: largest_work = huge(1.0_dp)   !! operations from which on no further step begins, see
                                                 !! `ehlwave_work_unit`
-      real(dp) :: film_unit = 0         !! of the mass residual; 0: the film at the contact centre
+      real(dp) :: film_unit = 0         !! unit of the mass residual; 0: the film at the contact centre
       logical :: leaves_last = .false.  !! whether Newton's method leaves the state of the last step without judging it,
                                         !! with the flow of `last_equations` as the step has it
       logical :: gives_up = .false.     !! whether Newton's method ends where it comes to rest away from the solution
-      real(dp) :: guess_share = 1       !! of the tolerance, above which Newton's method leaves no first guess as it is
+      real(dp) :: guess_share = 1  !! multiple of the tolerance, above which Newton's method improves every first guess
    end type solve_limits_t
 
    !> The outcome of a solve. Each equation is reported by itself.
@@ -87,7 +87,7 @@ contains
       end if
    end subroutine judge
 
-   !> Largest excess of a pressure at flooded edges over that of the far field, in units of the largest pressure there.
+   !> Largest excess of a pressure at flooded edges over the far-field pressure, in units of the largest pressure there.
    pure real(dp) function edge_error(equations, state)
       type(equations_t), intent(in) :: equations
       type(state_t), intent(in) :: state

@@ -1,4 +1,4 @@
-!> The solvers that a method stands for.
+!> The solvers of a method.
 module ehlwave_solver_choice
    use ehlwave_conditions, only: conditions_t
    use ehlwave_fas_multigrid, only: fas_t
@@ -15,7 +15,7 @@ module ehlwave_solver_choice
    !> How levels are solved.
    type, public :: method_t
       character(len=6) :: solver = 'newton'       !! 'newton', 'fas', or 'petsc' for the finest level
-      character(len=1) :: cycle = 'f'             !! of FAS: 'v', 'w' or 'f'
+      character(len=1) :: cycle = 'f'             !! cycle of FAS: 'v', 'w' or 'f'
       character(len=4) :: deformation = 'fft'     !! 'fft' or 'mlmi'
    end type method_t
 

@@ -1,4 +1,4 @@
-!> Steady state of a contact with less oil than it could take: from the flooded one, grid by grid.
+!> Steady state of a contact with less oil than it could take: from the flooded state, grid by grid.
 module ehlwave_starvation
    use ehlwave_continuation, only: adaptive_path_t
    use ehlwave_full_multigrid, only: full_multigrid_t
@@ -29,8 +29,8 @@ module ehlwave_starvation
 
 contains
 
-   !> Starve the contact whose flooded steady state is that of all levels. On the coarsest grid it is solved from the
-   !> flooded state, on the others from the next coarser one; where that fails by degrees, from plenty of oil down.
+   !> Starve the contact from the flooded steady state on all levels. The coarsest grid starts from the flooded
+   !> state, the others from the next coarser grid; where that fails, the oil is reduced gradually from plenty.
    subroutine starve(rescue, multigrid, oil, limits, coarse_tolerance, flooded)
       type(rescue_t), intent(inout) :: rescue
       type(full_multigrid_t), intent(inout) :: multigrid
@@ -98,10 +98,9 @@ contains
       end do
    end subroutine starve
 
-   !> First guess from the next coarser grid where the gap is full from the inlet edge on: one step with the meniscus
-   !> held. Oil offered is the flow through the full gap, so it is the contact that says how high the pressure there is.
-   !> An error of it that is small in the contact, which the new grid has still to resolve, is that of many rows of a
-   !> meniscus far out.
+   !> First guess from the next coarser grid where the gap is full from the inlet edge on: a step with the meniscus
+   !> held. Oil offered is the flow through the full gap, so the contact determines the pressure there. A small error of
+   !> it in the contact, which the new grid has yet to resolve, moves a distant meniscus by many rows.
    subroutine settle(rescue, multigrid, l, limits)
       type(rescue_t), intent(inout) :: rescue
       type(full_multigrid_t), intent(inout) :: multigrid
@@ -120,7 +119,7 @@ contains
       end associate
    end subroutine settle
 
-   !> From the flooded state with plenty of oil down to what is offered, by steps that grow and shrink.
+   !> From the flooded state with plenty of oil down to the oil offered, by steps that grow and shrink.
    subroutine come_down(rescue, multigrid, l, full, flooded_oil, limits, report)
       type(rescue_t), intent(inout) :: rescue
       type(full_multigrid_t), intent(inout) :: multigrid
@@ -151,7 +150,7 @@ contains
             here = limits
             if (.not. path%is_at_end()) here%tolerance = max(limits%tolerance, loose_tolerance)
             call solve_capped(rescue, multigrid, l, here, found)
-            report = found                       ! may be that of the level itself
+            report = found                       ! may be the level's own
             is_solved = report%status == status_converged
             if (is_solved) last = level%state
          end do
@@ -174,8 +173,8 @@ contains
       end if
    end subroutine solve_capped
 
-   !> First guess from the flooded state: no pressure where the gap is much wider than the layer, of a film that loses
-   !> what is missing. From the flooded state itself the empty part of the inlet would grow by some rows a step.
+   !> First guess from the flooded state: no pressure where the gap is much wider than the layer, for a film reduced
+   !> by the missing oil. From the flooded state itself the empty part of the inlet would grow by some rows a step.
    pure subroutine empty_inlet(level, flooded_oil)
       type(level_t), intent(inout) :: level
       real(dp), intent(in) :: flooded_oil   !! rho H of the flooded contact's centre

@@ -8,8 +8,8 @@ module ehlwave_step_limit
    private
 
    type, public :: step_limit_t
-      real(dp) :: largest_change = 0.3_dp         !! of a pressure in one step
-      real(dp) :: smallest_film_factor = 0.1_dp   !! of a film thickness over its value before the step
+      real(dp) :: largest_change = 0.3_dp         !! change of a pressure in a step
+      real(dp) :: smallest_film_factor = 0.1_dp   !! film thickness over its value before the step
    contains
       procedure :: bounded
       procedure :: of_pressure
@@ -19,18 +19,17 @@ module ehlwave_step_limit
 
 contains
 
-   !> A change of pressure of one node, within the bound: where a few nodes of a steep end ask for more, the others go
-   !> all the way.
+   !> Change of pressure of a node, within the bound: nodes of a steep end that exceed it do not limit the others.
    elemental real(dp) function bounded(self, change)
       class(step_limit_t), intent(in) :: self
-      real(dp), intent(in) :: change   !! of P
+      real(dp), intent(in) :: change   !! change of P
       bounded = max(-self%largest_change, min(change, self%largest_change))
    end function bounded
 
    !> Share of a change of pressure, at most 1, that the bound on pressures allows. 0 where the largest is not finite.
    real(dp) function of_pressure(self, change) result(share)
       class(step_limit_t), intent(in) :: self
-      real(dp), intent(in) :: change(:, :)   !! of P
+      real(dp), intent(in) :: change(:, :)   !! change of P
       real(dp) :: largest(size(change, 2))
       integer :: j
       !$omp parallel do schedule(static) if (is_shared(size(change)))
@@ -45,7 +44,7 @@ contains
    real(dp) function of_film(self, h, change) result(share)
       class(step_limit_t), intent(in) :: self
       real(dp), intent(in) :: h(:, :)        !! H before the change
-      real(dp), intent(in) :: change(:, :)   !! of H
+      real(dp), intent(in) :: change(:, :)   !! change of H
       real(dp) :: shares(size(h, 2))
       integer :: j
       !$omp parallel do schedule(static) if (is_shared(size(h)))
@@ -63,7 +62,7 @@ contains
       if (largest > self%largest_change) share = self%largest_change/largest
    end function share_of
 
-   !> `of_film` of one row.
+   !> `of_film` of a row.
    pure real(dp) function row_of_film(self, h, change) result(share)
       class(step_limit_t), intent(in) :: self
       real(dp), intent(in) :: h(:), change(:)
@@ -75,8 +74,8 @@ contains
       end do
    end function row_of_film
 
-   !> Go from `before` towards `state` no farther than the bounds allow. The film is linear in P and Delta, so that of
-   !> the shortened step needs no new deformation.
+   !> Go from `before` towards `state` no farther than the bounds allow. The film is linear in P and Delta, so the
+   !> film of a shortened step needs no new deformation.
    subroutine shorten(self, before, state)
       class(step_limit_t), intent(in) :: self
       type(state_t), intent(in) :: before      !! P, H, Delta before the step

@@ -20,21 +20,22 @@ module ehlwave_warm_steady
    public :: solve_warm
 
    integer, parameter :: most_rounds = 40, most_coarse_rounds = 20
-   integer, parameter :: more_steps = 6             !! of Newton's method in a round, in place of one: where
+   integer, parameter :: more_steps = 6             !! steps of Newton's method in a round, more than the usual 1: where
                                                     !! temperatures have settled, and where its active set goes to and
-   real(dp), parameter :: stuck = 0.5_dp            !! fro, the residual being more than that of before
+   real(dp), parameter :: stuck = 0.5_dp            !! fro, the residual exceeding the previous residual
    real(dp), parameter :: settled = 100             !! change of film and heat in a round, in units of the tolerance
-   real(dp), parameter :: loosening = 1.3_dp        !! of that with each round beyond so many: where a node at the edge
-   integer, parameter :: patience = 12              !! of the film, or of the backflow, goes to and fro
-   real(dp), parameter :: loose = 5                 !! change of temperatures over that, of which integrals hardly know
+   real(dp), parameter :: loosening = 1.3_dp        !! factor on the tolerance with each round beyond so many: where a
+                                                    !! node at the edge
+   integer, parameter :: patience = 12  !! rounds before the film, or the backflow, counts as going to and fro
+   real(dp), parameter :: loose = 5  !! change of temperatures over the tolerance, to which integrals hardly respond
    integer, parameter :: marches = 6                !! in a round, at most: where temperatures change by more than
    real(dp), parameter :: far = 0.03_dp             !! this share of themselves
-   real(dp), parameter :: ahead_of_film = 3         !! and so many times as much as the film did
+   real(dp), parameter :: ahead_of_film = 3         !! multiple of the film's change
    ! A step of Newton's method is not judged where the changes before it are between
    real(dp), parameter :: farther = 10              !! so many bounds
-   real(dp), parameter :: near = 0.05_dp            !! and this share
+   real(dp), parameter :: near = 0.05_dp            !! this share
 
-   real(dp), parameter :: ahead = 0.25_dp           !! of a difference of two grids: to the next, of second order
+   real(dp), parameter :: ahead = 0.25_dp           !! share of a difference of two grids: to the next, of second order
 
    !> Change of a state by heat.
    type :: warming_t
@@ -56,7 +57,7 @@ contains
       integer, intent(in) :: intervals                 !! across the film
       type(solve_limits_t), intent(in) :: limits       !! for the finest level
       real(dp), intent(in) :: coarse_tolerance         !! for the others
-      type(energy_t), intent(out) :: energy            !! of the finest level
+      type(energy_t), intent(out) :: energy            !! energy equation of the finest level
       type(warming_t), allocatable :: below, predicted
       type(state_t) :: cold
       type(solve_limits_t) :: here
@@ -87,8 +88,8 @@ contains
       end do
    end subroutine solve_warm
 
-   !> Change of a level's state by heat. Where it was predicted from the next coarser one, a quarter of the difference
-   !> is added, by which the next finer grid will differ.
+   !> Change of a level's state by heat. Where it was predicted from the next coarser level, a quarter of the
+   !> difference is added, the expected difference of the next finer grid.
    pure function warming_of(level, cold, predicted) result(found)
       type(level_t), intent(in) :: level
       type(state_t), intent(in) :: cold                    !! without heat
@@ -103,7 +104,7 @@ contains
       found%rise = found%rise + ahead*(found%rise - predicted%rise)
    end function warming_of
 
-   !> The same on the next finer grid.
+   !> Change on the next finer grid.
    function to_finer(self, coarse, fine) result(finer)
       class(warming_t), intent(in) :: self
       type(grid_t), intent(in) :: coarse, fine
@@ -130,8 +131,8 @@ contains
       level%problem%heat%rise = self%rise
    end subroutine give
 
-   !> Rounds on one level until neither the film nor the temperatures change. Each marches temperatures and, unless they
-   !> and the film are settled with that, solves for the film under them.
+   !> Rounds on a level until neither the film nor the temperatures change. Each marches temperatures. Then it solves
+   !> for the film under them, unless both are settled.
    subroutine settle(multigrid, l, is_predicted, limits, cap, energy)
       type(full_multigrid_t), intent(inout) :: multigrid
       integer, intent(in) :: l
@@ -224,8 +225,8 @@ contains
       end associate
    end subroutine march
 
-   !> Steps of Newton's method under the temperatures of a level, within the cap, of which the last is judged or left as
-   !> it is; `total` counts those of all rounds.
+   !> Steps of Newton's method under the temperatures of a level, within the cap; the last is judged or kept. `total`
+   !> counts the steps of all rounds.
    subroutine improve(multigrid, l, limits, steps, leaves_last, cap, report, total)
       type(full_multigrid_t), intent(inout) :: multigrid
       integer, intent(in) :: l, steps

@@ -29,12 +29,11 @@ module ehlwave_checkpoint_file
       procedure :: count => pass_count
    end type bytes_t
 
-   !> Where the checkpoint of one case is kept, and when. The file is replaced as a whole and carries a checksum; one
-   !> that is torn, of another case, of other numbers in the files that the case reads, or of another build of the
-   !> program is not used.
+   !> Where the checkpoint of one case is kept, and when. The file is replaced as a whole and carries a checksum; a
+   !> checkpoint is not used if torn, or from another case, other input files, or another build.
    type, extends(march_keeper_t), public :: checkpoint_t
       character(len=:), allocatable :: path
-      character(len=:), allocatable :: identity !! of the case and of what its files hold
+      character(len=:), allocatable :: identity !! identity of the case and the content of its files
       real(dp) :: interval_s = 600              !! between two files while the case runs
       real(dp) :: start_s = 0                   !! wall_seconds at the start of the case in this run
       logical, private :: is_kept = .false.     ! `kept` is newer than the file
@@ -79,7 +78,7 @@ contains
       if (wall_seconds() - self%saved_s >= self%interval_s) call self%save()
    end subroutine keep
 
-   !> Write what was remembered last. A checkpoint that cannot be written is said and costs time only.
+   !> Write the last remembered state. A checkpoint that cannot be written is reported and costs only time.
    subroutine save_kept(self)
       class(checkpoint_t), intent(inout) :: self
       type(bytes_t) :: bytes
@@ -153,7 +152,7 @@ contains
       if (allocated(march%energy)) call pass_energy(bytes, march%energy)
    end subroutine pass_march
 
-   !> Temperatures so far as the next steps take them, besides those of the steady state.
+   !> Temperatures so far for the next steps, besides those of the steady state.
    subroutine pass_energy(bytes, energy)
       type(bytes_t), intent(inout) :: bytes
       type(energy_t), intent(inout) :: energy
@@ -173,7 +172,7 @@ contains
       end do
    end subroutine pass_energy
 
-   !> Real numbers, one or as many dimensions as there are.
+   !> Real numbers, of any rank.
    subroutine pass_numbers(self, values)
       class(bytes_t), intent(inout) :: self
       real(dp), intent(inout), target, contiguous :: values(..)
@@ -191,7 +190,7 @@ contains
       self%place = self%place + n
    end subroutine pass_numbers
 
-   !> A whole number; as a real one it comes back as it was.
+   !> A whole number, stored exactly as a real number.
    subroutine pass_count(self, value)
       class(bytes_t), intent(inout) :: self
       integer, intent(inout) :: value

@@ -1,4 +1,4 @@
-!> Records of a store as lists of values: a layout tells their names and kinds.
+!> Records of a store as lists of values: a layout gives their names and kinds.
 module ehlwave_layout
    use ehlwave_json_reader, only: json_string, split_list
    use ehlwave_posix, only: checksum
@@ -11,7 +11,7 @@ module ehlwave_layout
    !> Names and kinds of the values of a record.
    type, public :: layout_t
       character(len=:), allocatable :: text            !! as stored: [[name, kind],...]
-      character(len=8) :: tag = ''                     !! its checksum, by which records say that they have this layout
+      character(len=8) :: tag = ''                     !! its checksum, by which records refer to it
       character(len=name_length), allocatable :: names(:), kinds(:)
    contains
       procedure :: element
@@ -49,7 +49,7 @@ contains
       end do
    end function new_layout
 
-   !> Take the values of a list; `fits` tells whether there are as many as a layout has names.
+   !> Take the values of a list; `fits` returns whether their number equals the layout's.
    subroutine split(self, text, layout, fits)
       class(values_t), intent(inout) :: self
       character(len=*), intent(in) :: text

@@ -1,8 +1,7 @@
 !> Append-only files of records that survive a writer killed at any moment.
 !>
 !> A record is a line:  CHECKSUM LENGTH TEXT, the CRC-32 of the text in 8 hexadecimal digits and its length in
-!> bytes. One call to the system appends it, and nothing that was written is ever changed. Read by
-!> `ehlwave_record_reader`.
+!> bytes. One call to the system appends it, and written records never change. Read by `ehlwave_record_reader`.
 module ehlwave_record_file
    use ehlwave_clock, only: wall_seconds
    use ehlwave_errors, only: error_t, raise
@@ -13,11 +12,11 @@ module ehlwave_record_file
    implicit none (type, external)
    private
 
-   real(dp), parameter :: sync_share = 0.02_dp   !! of the time goes into waiting for the disk, at most
+   real(dp), parameter :: sync_share = 0.02_dp   !! share of the time spent on disk synchronisation, at most
 
-   !> Writer of one file. A killed process loses nothing that was appended; what a machine may lose that loses its
-   !> power is what was not yet synchronised. That is done after every record unless records come so fast that
-   !> it would take more than `sync_share` of the time.
+   !> Writer of a file. A killed process loses nothing that was appended; a power failure loses unsynchronised
+   !> records. Synchronisation follows every record, unless records come so fast that it would take more than
+   !> `sync_share` of the time.
    type, public :: record_writer_t
       character(len=:), allocatable :: path
       integer, private :: file = -1

@@ -1,7 +1,7 @@
 !> Reads files of records (see ehlwave_record_file) piece by piece, whatever their length.
 !>
-!> Only lines whose checksum and length are right are believed; what a kill, a full disk or a damaged byte leaves behind
-!> is passed over and counted.
+!> Only lines whose checksum and length are right are accepted; remains of a kill, a full disk or a damaged byte are
+!> skipped and counted.
 module ehlwave_record_reader
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: i8
@@ -11,7 +11,7 @@ module ehlwave_record_reader
    public :: next_record
 
    integer(i8), parameter :: piece = 4*1024*1024_i8         !! bytes read at once
-   integer(i8), parameter :: longest_line = 64*1024*1024_i8 !! a longer one is damaged
+   integer(i8), parameter :: longest_line = 64*1024*1024_i8 !! a longer line is damaged
 
    !> A file being read. Record text(first:last) is good until the next call.
    type, public :: record_reader_t
@@ -59,7 +59,7 @@ contains
       end do
    end subroutine next
 
-   !> Read on; what has begun of a line comes first.
+   !> Read on, after the part of a line already read.
    subroutine refill(self, bad_lines, error)
       class(record_reader_t), intent(inout) :: self
       integer, intent(inout) :: bad_lines
@@ -105,7 +105,7 @@ contains
 
    !> The next good record from `position` on is text(first:last); no more: last = 0.
    subroutine next_record(text, position, first, last, bad_lines)
-      character(len=*), intent(in) :: text       !! whole lines, but perhaps the last one
+      character(len=*), intent(in) :: text       !! complete lines, except perhaps the last
       integer(i8), intent(inout) :: position     !! begin with 1
       integer(i8), intent(out) :: first, last
       integer, intent(inout) :: bad_lines        !! lines passed over so far
@@ -131,7 +131,7 @@ contains
             if (io == 0 .and. length <= last - first + 1) then
                if (checksum(text(first:first + length - 1)) == text(start:start + 7)) then
                   last = first + length - 1
-                  if (last < position - 2) position = last + 2   ! its end is damaged: what follows is another line
+                  if (last < position - 2) position = last + 2   ! its end is damaged: the rest is another line
                   return
                end if
             end if

@@ -1,25 +1,22 @@
 !> The store of a sweep: a folder with every finished case, written so that nothing that ends a job can spoil it.
 !>
 !>     store                     one line: format and its version
-!>     defaults                  generation of the defaults of keys that its cases have; not there: as the records say
-!>     lock                      locked by the job at work
-!>     cases                     identity and expected cost of each case of the sweep
-!>     records/RUN-RANK.log      what each rank of each run (of the program) has done; see ehlwave_record_file
-!>     checkpoints/IDENTITY      marches under way
-!>     fields/IDENTITY.h5        fields of a case, if the input asks for them
+!>     defaults                  generation of the defaults of keys that its cases have; absent: from the records lock
+!>                          locked by the job at work cases                     identity and expected cost of each
+!>     case of the sweep records/RUN-RANK.log      log of each rank of each run of the program; see
+!>     ehlwave_record_file checkpoints/IDENTITY      marches under way fields/IDENTITY.h5        fields of a case, if
+!>     the input asks for them
 !>
 !> A rank appends to files of its own only. Records are, in this order in each file,
 !>
-!>     run [columns, values]     who writes: program, build, host, rank, time
-!>     list CHECKSUM             the file `cases` is complete; of rank 0
-!>     input TEXT                effective input of the first case of the file; the others tell what differs
-!>     start IDENTITY            a case begins
-!>     stop IDENTITY             it was stopped from outside
-!>     columns [[name, kind],...]  of the cases that follow, again whenever they change
-!>     case [values] CHECKSUM    it is done, whatever its status; the checksum is that of the text of its columns
+!>     run [columns, values]     the writer: program, build, host, rank, time list CHECKSUM             the file
+!>     `cases` is complete; of rank 0 input TEXT                effective input of the first case of the file; the
+!>     others list differences start IDENTITY            a case begins stop IDENTITY             it was stopped from
+!>     outside columns [[name, kind],...]  of the cases that follow, again whenever they change case [values]
+!>     CHECKSUM    it is finished, with any status; the checksum covers the text of its columns
 !>
-!> Items that many records depend on (run, input, columns) stand a second time after the first case: no damaged line
-!> takes more than one case with it.
+!> Items that many records depend on (run, input, columns) are repeated after the first case: a damaged line costs
+!> at most one case.
 module ehlwave_store
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t, raise
@@ -38,7 +35,7 @@ module ehlwave_store
    private
    public :: prepare_store
 
-   !> The part of the store that one rank writes.
+   !> Part of the store written by a rank.
    type, public :: store_t
       character(len=:), allocatable :: folder
       character(len=256) :: host = '', job = '', mpi_library = ''
@@ -64,12 +61,12 @@ module ehlwave_store
 
 contains
 
-   !> Make or take over a store for this job and give the run the next free number; the log of rank 0, once it is open,
-   !> stands for it. Called on rank 0 only. Fails as `take_folder`.
+   !> Make or take over a store for this job and give the run the next free number; the open log of rank 0 reserves it.
+   !> Called on rank 0 only. Fails as `take_folder`.
    subroutine prepare_store(folder, store, warning, error)
       character(len=*), intent(in) :: folder
       type(store_t), intent(inout) :: store              !! rank, host, job, MPI library, defaults are set
-      character(len=:), allocatable, intent(out) :: warning   !! allocated: what the user should know
+      character(len=:), allocatable, intent(out) :: warning   !! allocated: notice for the user
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: names
       integer :: first, last, number, rank, status
@@ -108,7 +105,7 @@ contains
       call self%log%append('run ['//json_columns(header)//','//json_values(header)//']', error)
    end subroutine write_header
 
-   !> Who writes: what the log of a rank begins with.
+   !> Identity of the writer: head of each rank's log.
    function header(self) result(list)
       class(store_t), intent(in) :: self
       type(quantity_list_t) :: list
@@ -154,7 +151,7 @@ contains
    !> A case is done. Fails when that could not be stored; then it counts as not run.
    subroutine keep(self, record, input, error)
       class(store_t), intent(inout) :: self
-      type(quantity_list_t), intent(inout) :: record   !! what it came to; the effective input is added
+      type(quantity_list_t), intent(inout) :: record   !! result of the case; the effective input is added
       character(len=*), intent(in) :: input      !! effective input
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: columns

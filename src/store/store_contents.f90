@@ -28,12 +28,12 @@ module ehlwave_store_contents
       integer :: layout = 0, log = 0, run = 0
    end type stored_case_t
 
-   !> One log: who wrote it and what it was at.
+   !> A log: its writer and its progress.
    type, public :: log_t
       integer :: run = 0, rank = 0
       type(values_t) :: header
-      type(layout_t) :: columns                        !! of the header
-      character(len=:), allocatable :: base_input      !! effective input that those of its cases differ from
+      type(layout_t) :: columns                        !! columns of the header
+      character(len=:), allocatable :: base_input      !! effective input that its cases differ from
       character(len=identity_length) :: in_flight = '' !! case that was begun, and neither done nor stopped
       logical :: is_by_this_build = .false.            !! version and revision
    contains
@@ -48,7 +48,7 @@ module ehlwave_store_contents
       integer, private :: log_count = 0                ! while they are being read
       integer :: count = 0
       integer :: runs = 0                              !! number of the last run
-      character(len=8) :: list_checksum = ''           !! of the file `cases`, by the last run; blank: not said
+      character(len=8) :: list_checksum = ''           !! checksum of the file `cases`, by the last run; blank: unknown
       integer :: bad_lines = 0                         !! passed over
       type(identity_index_t) :: index                  !! from identity to place in `cases`
    contains
@@ -69,8 +69,7 @@ module ehlwave_store_contents
 
 contains
 
-   !> Read a store; one that is not there is empty. Fails when it is something else, and when something in it cannot be
-   !> read.
+   !> Read a store; a missing store is empty. Fails when the folder is no store, or unreadable in part.
    subroutine read_store(folder, identify, contents, error, ranks_of_last_run)
       character(len=*), intent(in) :: folder
       procedure(identity_of_input) :: identify
@@ -106,7 +105,7 @@ contains
       contents%logs = contents%logs(:contents%log_count)
    end subroutine read_store
 
-   !> Take what a log holds; files with names of another kind are passed over. Fails when it cannot be read.
+   !> Take the content of a log; files with names of another kind are skipped. Fails when it cannot be read.
    subroutine read_log(folder, name, identify, contents, error)
       character(len=*), intent(in) :: folder, name
       procedure(identity_of_input) :: identify
@@ -135,12 +134,12 @@ contains
       contents%logs(contents%log_count) = log
    end subroutine read_log
 
-   !> Take one record of a log.
+   !> Take a record of a log.
    subroutine take_record(record, identify, log, layout, contents)
       character(len=*), intent(in) :: record
       procedure(identity_of_input) :: identify
       type(log_t), intent(inout) :: log
-      integer, intent(inout) :: layout                 !! number of the columns that were told last, 0: none yet
+      integer, intent(inout) :: layout                 !! number of the latest columns, 0: none yet
       type(contents_t), intent(inout) :: contents
       integer, allocatable :: first(:), last(:)
       integer :: blank
@@ -173,13 +172,13 @@ contains
       end associate
    end subroutine take_record
 
-   !> Keep the record of a case unless there is one of a later run. One without its columns, or whose identity is not
-   !> that of its input, counts as damaged.
+   !> Keep the record of a case unless a later run has one. A record without columns, or with an identity other than
+   !> its input's, counts as damaged.
    subroutine take_case(text, identify, log, layout, contents)
       character(len=*), intent(in) :: text
       procedure(identity_of_input) :: identify
       type(log_t), intent(in) :: log
-      integer, intent(in) :: layout                    !! of records that do not say it
+      integer, intent(in) :: layout                    !! layout of records without a reference to one
       type(contents_t), intent(inout) :: contents
       type(stored_case_t) :: record
       type(stored_case_t), allocatable :: more(:)
@@ -219,7 +218,7 @@ contains
       contents%cases(place) = record
    end subroutine take_case
 
-   !> Number of a layout among those of the contents; a new one is added.
+   !> Number of a layout among those of the contents; a new layout is added.
    subroutine add_layout(text, contents, layout)
       character(len=*), intent(in) :: text
       type(contents_t), intent(inout) :: contents
@@ -249,7 +248,7 @@ contains
       text = input_of(self%cases(place), self%logs(self%cases(place)%log), self)
    end function input
 
-   !> Effective input of a record, empty where it cannot be told.
+   !> Effective input of a record, empty if unknown.
    function input_of(record, log, contents) result(text)
       class(stored_case_t), intent(in) :: record
       type(log_t), intent(in) :: log
@@ -276,10 +275,10 @@ contains
       text = json_string(self%element('program_version'))//' '//json_string(self%element('git_revision'))
    end function build
 
-   !> In how many runs the death of one process, and of no other, happened in this case since it was last done.
+   !> Number of runs in which the death of a single process happened in this case since its last completion.
    !>
-   !> When a rank dies MPI ends the others, which say so in their logs before they go. Where several say nothing
-   !> (a node or mpirun was lost) no case is to blame.
+   !> When a rank dies MPI ends the others, which note this in their logs first. If several logs lack the note (a
+   !> lost node or mpirun), no case is blamed.
    integer function deaths(self, identity)
       class(contents_t), intent(in) :: self
       character(len=*), intent(in) :: identity

@@ -19,8 +19,8 @@ module ehlwave_store_defaults
    !> Facts about the beginning of a store.
    type, public :: origin_t
       integer :: filed = not_said                  !! generation of the defaults in the file of that name
-      integer :: recorded = not_said               !! the same in the head of a log of the first run that says it
-      character(len=:), allocatable :: input       !! effective input of a case of the first run that finished one
+      integer :: recorded = not_said               !! generation from the head of the earliest log that has it
+      character(len=:), allocatable :: input       !! effective input of a case of the earliest run that finished one
    contains
       procedure, private :: read_log
       procedure, private :: take_header
@@ -65,7 +65,7 @@ contains
       end do
    end subroutine read_origin
 
-   !> The generation in a file; what goes without saying where there is none.
+   !> The generation in a file; the default where there is none.
    subroutine read_file(path, generation, error)
       character(len=*), intent(in) :: path
       integer, intent(inout) :: generation
@@ -89,7 +89,7 @@ contains
       end if
    end subroutine read_file
 
-   !> Take what a log tells, up to its first input.
+   !> Take the entries of a log, up to its first input.
    subroutine read_log(self, path, error)
       class(origin_t), intent(inout) :: self
       character(len=*), intent(in) :: path

@@ -17,7 +17,7 @@ module ehlwave_store_folder
 
 contains
 
-   !> Whether a folder is a store that this program understands; `is_there` tells whether there is anything.
+   !> Whether this program can use a folder as a store; `is_there` returns whether there is anything.
    subroutine check_store(folder, is_there, error)
       character(len=*), intent(in) :: folder
       logical, intent(out) :: is_there
@@ -50,8 +50,8 @@ contains
       end if
    end subroutine check_store
 
-   !> Whether a folder without the first line of a store can be one: it holds nothing but what a store has, and no list
-   !> of cases unless there is a log of a run.
+   !> Whether a folder without the first line of a store can be a store: all its files are files of a store, and a list
+   !> of cases comes with a log of a run.
    logical function may_be_store(folder, names)
       character(len=*), intent(in) :: folder, names
       character(len=:), allocatable :: foreign
@@ -77,10 +77,10 @@ contains
       end do
    end function has_logs
 
-   !> Refuse a name of results in a folder that belongs to a store, at whatever depth: what else is in a store than its
-   !> runs have put there makes it unusable.
+   !> Refuse a name of results in a folder that belongs to a store, at whatever depth: foreign files make a store
+   !> unusable.
    subroutine refuse_inside_store(path, error)
-      character(len=*), intent(in) :: path       !! of a file, which need not be there
+      character(len=*), intent(in) :: path       !! name of a file, which need not exist
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: folder
       integer :: slash
@@ -98,7 +98,7 @@ contains
       end do
    end subroutine refuse_inside_store
 
-   !> Whether a folder says that it is a store, of whatever format, or has the name of one and logs of runs.
+   !> Whether a folder claims to be a store, of any format, or has the name of a store and logs of runs.
    logical function is_store(folder)
       character(len=*), intent(in) :: folder
       character(len=:), allocatable :: text
@@ -108,7 +108,7 @@ contains
       if (index(folder, '.store', back=.true.) == len(folder) - 5) is_store = has_logs(folder) .or. is_store
    end function is_store
 
-   !> Refuse a store that lists cases and has no log of a run: every run has one before it lists its cases.
+   !> Refuse a store that lists cases and has no log of a run: every run opens its log before it lists its cases.
    subroutine refuse_lost_records(folder, error)
       character(len=*), intent(in) :: folder
       type(error_t), allocatable, intent(inout) :: error
@@ -118,7 +118,7 @@ contains
          ' lists what was to run): put them back, or begin anew with --overwrite')
    end subroutine refuse_lost_records
 
-   !> Refuse to work on a store of which a part is a link: what it leads to may be of somebody.
+   !> Refuse to use a store of which a part is a link: its target may belong to somebody else.
    subroutine refuse_links(folder, error)
       character(len=*), intent(in) :: folder
       type(error_t), allocatable, intent(inout) :: error
@@ -145,8 +145,8 @@ contains
    !> it.
    subroutine take_folder(folder, generation, warning, error)
       character(len=*), intent(in) :: folder
-      integer, intent(in) :: generation         !! of the defaults that its cases have
-      character(len=:), allocatable, intent(out) :: warning   !! allocated: what the user should know
+      integer, intent(in) :: generation         !! generation of the defaults of its cases
+      character(len=:), allocatable, intent(out) :: warning   !! allocated: notice for the user
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: text
       logical :: is_there

@@ -9,9 +9,9 @@ module ehlwave_store_names
 
    character(len=*), parameter, public :: cases_name = 'cases', lock_name = 'lock', records_name = 'records'
    character(len=*), parameter, public :: defaults_name = 'defaults'
-   integer, parameter :: most_digits = 9   !! of a run or a rank
-   !> Of the defaults of keys, raised by one when a default changes. Stores without a file of that name are of
-   !> generation 0.
+   integer, parameter :: most_digits = 9   !! digits of a run or a rank
+   !> Generation of the defaults of keys, raised by one when a default changes. Stores without a file of that name
+   !> have generation 0.
    integer, parameter, public :: newest_defaults = 1
    character(len=*), parameter, public :: folders(3) = [character(len=11) :: records_name, 'checkpoints', 'fields']
    !> In the order in which they are removed: `store` before `defaults`, without which it would be of generation 0.
@@ -63,11 +63,11 @@ contains
       read (name(dash + 1:point - 1), *, iostat=io) rank
    end subroutine read_log_name
 
-   !> The first name that is not one of those that files in a part of a store have; empty where all are. What another
-   !> part of the program is at work on has a name of its own.
+   !> First name that no file in a part of a store has; empty where there is none. Files that another part of the
+   !> program is writing have names of their own.
    function foreign_name(part, names) result(foreign)
-      character(len=*), intent(in) :: part    !! one of the folders, or empty: the store itself
-      character(len=*), intent(in) :: names   !! one a line
+      character(len=*), intent(in) :: part    !! a folder of the store, or empty: the store itself
+      character(len=*), intent(in) :: names   !! one per line
       character(len=:), allocatable :: foreign
       character(len=*), parameter :: digits = '0123456789ABCDEF'
       integer :: first, last, rank, run

@@ -30,13 +30,13 @@ contains
       end do
       if (allocated(error)) return
       is_there = has_logs(folder)
-      if (file_kind(folder//'/store') == kind_none .and. .not. is_there) return   ! nothing says that it is one of ours
+      if (file_kind(folder//'/store') == kind_none .and. .not. is_there) return   ! nothing marks it as a store
       call lock_file(folder//'/'//lock_name, status)
       if (status == lock_refused) then
          call raise(error, folder//' is in use by another job: it is not overwritten')
          return
       end if
-      ! whenever this is cut short, what is left is a store that says as much of itself as before
+      ! if interrupted at any point, the rest is still recognisable as a store
       do i = size(folders), 0, -1
          call remove_files(folder, part_name(i), error)
       end do
@@ -46,15 +46,15 @@ contains
             call raise(error, 'cannot remove '//folder//'/'//trim(files(i))//': '//reason_text(status))
       end do
       do i = size(folders), 0, -1
-         ! one that is not empty stays
+         ! a folder that is not empty stays
          if (.not. allocated(error)) call remove_folder(folder//'/'//part_name(i), status)
       end do
    end subroutine discard_store
 
-   !> Fail when a part of a store holds what no run has put there.
+   !> Fail when a part of a store holds files that no run has written.
    subroutine refuse_foreign(folder, part, error)
       character(len=*), intent(in) :: folder
-      character(len=*), intent(in) :: part    !! one of the folders, or empty
+      character(len=*), intent(in) :: part    !! a folder, or empty
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: foreign, names, path
       integer :: first, kind, last
@@ -76,7 +76,7 @@ contains
    !> Remove the files of a folder of a store that have names of ours; of the store itself those that were under way.
    subroutine remove_files(folder, part, error)
       character(len=*), intent(in) :: folder
-      character(len=*), intent(in) :: part    !! one of the folders, or empty
+      character(len=*), intent(in) :: part    !! a folder, or empty
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: names
       integer :: first, last, status

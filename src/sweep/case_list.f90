@@ -12,27 +12,27 @@ module ehlwave_case_list
    implicit none (type, external)
    private
 
-   integer, parameter, public :: variation_length = 160   !! what is longer is cut
+   integer, parameter, public :: variation_length = 160   !! length of descriptions; longer text is cut
 
    type, public :: case_list_t
       character(len=identity_length), allocatable :: identity(:)
       real(dp), allocatable :: features(:, :)    !! (feature_count, cases) of the cost model
       character(len=variation_length), allocatable :: variation(:)   !! keys that vary
-      character(len=8) :: checksum = ''          !! of the file
+      character(len=8) :: checksum = ''          !! checksum of the file
    contains
       procedure :: write => write_list
       procedure :: read => read_list
    end type case_list_t
 
    character(len=*), parameter :: features_format = '(*(1x,es12.5))'
-   integer, parameter :: start_length = identity_length + 13*feature_count   !! of a line, before what varies
+   integer, parameter :: start_length = identity_length + 13*feature_count   !! length of a line before the varying part
 
 contains
 
    !> Write the list, in lines of the same length.
    subroutine write_list(self, folder, error)
       class(case_list_t), intent(inout) :: self
-      character(len=*), intent(in) :: folder     !! of the store
+      character(len=*), intent(in) :: folder     !! folder of the store
       type(error_t), allocatable, intent(inout) :: error
       character(len=start_length) :: start
       character(len=:), allocatable :: text
@@ -55,7 +55,7 @@ contains
    !> Fails when there is no list yet, and when it is not whole. Features that cannot be read are 0.
    subroutine read_list(self, folder, error)
       class(case_list_t), intent(inout) :: self
-      character(len=*), intent(in) :: folder     !! of the store
+      character(len=*), intent(in) :: folder     !! folder of the store
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: text
       integer :: i, io, n, width

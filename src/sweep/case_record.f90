@@ -21,7 +21,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
-      class(store_t), intent(in) :: store          !! of the rank that it ran on
+      class(store_t), intent(in) :: store          !! store of the present rank
       character(len=*), intent(in) :: started, finished
       type(quantity_list_t) :: list
       call add_result(list, case, plan, result)

@@ -46,9 +46,9 @@ contains
       end do
    end subroutine find_columns
 
-   !> Give the values of a row to a case. An empty cell leaves what the case groups give; 0 of a key that has no value
-   !> by default (a wavelength, an end time) says that there is none. What could say so and does not must apply to the
-   !> row; what needs a value in every row (cells_y beside line contacts) is left out where it does not apply.
+   !> Give the values of a row to a case. An empty cell keeps the value of the case groups. 0 in a key without default
+   !> (a wavelength, an end time) means none. Any other value of such a key must apply to the row. Keys that need a
+   !> value in every row (cells_y beside line contacts) are ignored where they do not apply.
    subroutine set_row(table, row, list, columns, input, error)
       type(csv_t), intent(in) :: table
       integer, intent(in) :: row
@@ -90,7 +90,7 @@ contains
       input%may_idle(i) = .false.
    end subroutine set_row
 
-   !> Value of one cell. Words need no quotes in a table, and a whole number may be written as 64.0.
+   !> Value of a cell. Words need no quotes in a table, and a whole number may be written as 64.0.
    subroutine read_cell(table, row, column, key, item, default, value, is_none, error)
       type(csv_t), intent(in) :: table
       integer, intent(in) :: row, column
@@ -98,7 +98,7 @@ contains
       type(value_t), intent(inout) :: item
       type(key_value_t), intent(in) :: default
       type(key_value_t), intent(inout) :: value
-      logical, intent(out) :: is_none                  !! the cell says that there is none
+      logical, intent(out) :: is_none                  !! the cell means none
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: problem
       real(dp) :: number

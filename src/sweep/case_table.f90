@@ -28,8 +28,8 @@ contains
       character(len=*), intent(in) :: path
       type(sweep_t), intent(out) :: sweep
       type(error_t), allocatable, intent(out) :: error
-      character(len=*), intent(in), optional :: output   !! results file, in place of that of the sweep file
-      logical, intent(in), optional :: begins_anew       !! the store, if there is one, will be dropped
+      character(len=*), intent(in), optional :: output   !! results file, in place of the sweep file's
+      logical, intent(in), optional :: begins_anew       !! the store, if any, will be dropped
       type(namelist_t) :: file
       type(sweep_settings_t) :: settings
       type(case_input_t) :: base
@@ -124,7 +124,7 @@ contains
       call visit_sweep_keys(settings, list)
    end subroutine read_settings
 
-   !> Every combination of the lists; a list takes the place of what the group of its key gives.
+   !> Every combination of the lists; a list replaces the value in the group of its key.
    subroutine add_product(file, base, table, lists, sweep, error)
       type(namelist_t), intent(in) :: file
       type(case_input_t), intent(inout) :: base
@@ -157,7 +157,7 @@ contains
       end if
    end subroutine add_product
 
-   !> One case for each row of a CSV file; its columns take the place of what the groups of their keys give.
+   !> A case per row of a CSV file; its columns replace the values in the groups of their keys.
    subroutine add_rows(rows, columns, file, base, table, sweep, error)
       type(csv_t), intent(in) :: rows
       integer, intent(in) :: columns(:)                !! number of the key of each column, 0: f_v
@@ -168,7 +168,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(case_input_t) :: input
       type(key_list_t) :: given
-      logical :: is_said(most_keys), is_used(most_keys)   ! said: a row has another value than the default
+      logical :: is_said(most_keys), is_used(most_keys)   ! used: a row differs from the default
       integer, allocatable :: doubtful(:)                 ! keys of columns that may count nowhere
       integer :: row
 
@@ -194,7 +194,7 @@ contains
       call refuse_idle(file, base, table, [integer ::], is_used, error)
    end subroutine add_rows
 
-   !> Say which keys of the case groups are given for nothing, since lists or columns take their place.
+   !> Report keys of the case groups that have no effect, since lists or columns take their place.
    subroutine note_replaced(file, base, table, sweep)
       type(namelist_t), intent(in) :: file
       type(case_input_t), intent(in) :: base
@@ -226,7 +226,7 @@ contains
       end associate
    end subroutine refuse_idle_column
 
-   !> Refuse a key that is given, says something and applies to none of the cases.
+   !> Refuse a key that is given, differs from the default and applies to no case.
    subroutine refuse_idle(file, base, table, listed, is_used, error)
       type(namelist_t), intent(in) :: file
       type(case_input_t), intent(in) :: base

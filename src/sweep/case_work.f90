@@ -1,4 +1,4 @@
-!> Works through one case of a sweep: runs it, and stores its result.
+!> Processes a case of a sweep: runs it, and stores its result.
 module ehlwave_case_work
    use ehlwave_case_account, only: refused_result
    use ehlwave_case_definition, only: case_t
@@ -31,7 +31,7 @@ module ehlwave_case_work
       type(case_limits_t) :: limits
       real(dp) :: deadline_s = huge(1.0_dp)   !! wall_seconds at which to stop
       logical :: is_stopping = .false.        !! take no more cases, stop the one under way
-      character(len=message_length) :: reason = ''   !! of stopping
+      character(len=message_length) :: reason = ''   !! reason for stopping
       real(dp), private :: case_start_s = 0
    contains
       procedure :: step_done => look_up
@@ -45,7 +45,7 @@ module ehlwave_case_work
          import :: case_plan_t, case_result_t, case_t, march_keeper_t, monitor_t, shared_steady_t
          implicit none (type, external)
          type(case_t), intent(in) :: case
-         type(case_plan_t), intent(inout) :: plan      !! on return that of the result
+         type(case_plan_t), intent(inout) :: plan      !! on return the shared state of the result
          class(monitor_t), intent(inout) :: monitor
          type(case_result_t), intent(out) :: result
          type(shared_steady_t), intent(inout), target, optional :: shared
@@ -55,14 +55,14 @@ module ehlwave_case_work
 
 contains
 
-   !> Run one case and put it into the store.
+   !> Run a case and store it.
    subroutine work_on_case(run, case, plan, input, watch, shared, outcome)
       procedure(case_procedure) :: run
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       character(len=*), intent(in) :: input      !! effective input of the case
       class(case_watch_t), intent(inout) :: watch
-      type(shared_steady_t), intent(inout), target :: shared   !! of the rank, from one case to the next
+      type(shared_steady_t), intent(inout), target :: shared   !! steady state of the rank, from one case to the next
       type(outcome_t), intent(out) :: outcome
       type(case_result_t) :: result
       type(case_plan_t) :: used                  ! may become finer
@@ -140,7 +140,7 @@ contains
       end if
    end subroutine look_at_clock
 
-   !> Messages from and to other ranks; with one process there are none.
+   !> Messages from and to other ranks; with a single process there are none.
    subroutine exchange(self)
       class(case_watch_t), intent(inout) :: self
       if (.false.) self%request = go_on

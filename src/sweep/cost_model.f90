@@ -41,8 +41,8 @@ contains
       seconds = exp(min(100.0_dp, max(-100.0_dp, dot_product(self%coefficients, features))))
    end function seconds
 
-   !> Fit to finished cases; those without a time are left out. Without any the model is the plan's cost, and with
-   !> `expected` so scaled that it agrees with these on average; they count as one finished case known to a factor of 2.
+   !> Fit to finished cases; cases without a time are left out. Without any, the model is the plan's cost. `expected`
+   !> scales it so that both agree on average; they then count as a finished case with an uncertainty factor of 2.
    pure function fit_cost_model(features, seconds, expected) result(model)
       real(dp), intent(in) :: features(:, :)   !! (feature_count, cases)
       real(dp), intent(in) :: seconds(:)       !! wall times

@@ -2,8 +2,8 @@
 !>
 !> A request is answered by a case (number 0: there is none), every case by its outcome, and rank 0 sends exactly one
 !> `stop` to each of the others. A case travels as its effective input with the digests of the files that it reads, so
-!> only rank 0 reads the sweep file; results do not travel: every rank puts its own into the store. Rank 0 does not wait
-!> until a case is received: whoever it is for may be in the middle of a long step.
+!> only rank 0 reads the sweep file; results do not travel: every rank stores its own. Rank 0 does not wait until a case
+!> is received: the receiver may be in the middle of a long step.
 module ehlwave_messages
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: case_from_text
@@ -23,7 +23,7 @@ module ehlwave_messages
    integer, parameter, public :: no_case = 0
    integer, parameter, public :: ask = 1, stop_work = 2   !! words: messages without anything in them
    integer, parameter :: tag_case = 3, tag_outcome = 4
-   integer, parameter :: number_digits = 12   !! of the number of a case, before its input; then T: keep fields
+   integer, parameter :: number_digits = 12   !! digits of the number of a case, before its input; then T: keep fields
 
    type :: letter_t
       character(len=:), allocatable :: text
@@ -62,7 +62,7 @@ contains
    !> Rank 0: wait for a message; a request is received with that, an outcome is not.
    subroutine next_message(comm, rank, is_request)
       type(mpi_comm), intent(in) :: comm
-      integer, intent(out) :: rank              !! that sent it
+      integer, intent(out) :: rank              !! rank that sent it
       logical, intent(out) :: is_request
       type(mpi_status) :: status
       call mpi_probe(mpi_any_source, mpi_any_tag, comm, status)
@@ -99,7 +99,7 @@ contains
       class(outbox_t), intent(inout) :: self
       integer, intent(in) :: rank, number
       type(case_t), intent(in), optional :: case            !! absent: there is none
-      type(case_file_t), intent(in), optional :: files(:)   !! of its plan
+      type(case_file_t), intent(in), optional :: files(:)   !! files of its plan
       character(len=:), allocatable :: text
 
       text = repeat(' ', number_digits)
@@ -108,7 +108,7 @@ contains
       call self%post(rank, tag_case, text)
    end subroutine send_case
 
-   !> Tell rank 0 what a case came to. Returns at once.
+   !> Send rank 0 the outcome of a case. Returns at once.
    subroutine send_outcome(self, outcome)
       class(outbox_t), intent(inout) :: self
       type(outcome_t), intent(in) :: outcome

@@ -5,15 +5,15 @@ module ehlwave_outcome
    implicit none (type, external)
    private
 
-   integer, parameter, public :: message_length = 1024   !! longest message told to rank 0: it can name files
+   integer, parameter, public :: message_length = 1024   !! longest message to rank 0: it can name files
 
    type, public :: outcome_t
       integer :: case = 0                     !! its number
       integer :: status = status_pending      !! pending: not run, or not stored
       real(dp) :: seconds = 0
       character(len=message_length) :: message = ''
-      logical :: is_store_broken = .false.    !! the message says why
-      logical :: is_input_changed = .false.   !! a file cannot be read any more as rank 0 did; the message says which
+      logical :: is_store_broken = .false.    !! failed; the message has the reason
+      logical :: is_input_changed = .false.   !! a file differs from the one rank 0 read; the message names it
    end type outcome_t
 
 end module ehlwave_outcome

@@ -1,4 +1,4 @@
-!> One column of a results file: a quantity of every case.
+!> A column of a results file: a quantity of every case.
 module ehlwave_results_column
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_hdf5_file, only: hdf5_file_t
@@ -7,7 +7,7 @@ module ehlwave_results_column
    implicit none (type, external)
    private
 
-   integer, parameter :: longest_text = 4096      !! what is longer is cut
+   integer, parameter :: longest_text = 4096      !! longest text; longer texts are cut
 
    !> A value that has a length.
    type :: cell_t
@@ -18,8 +18,8 @@ module ehlwave_results_column
    type, public :: column_t
       type(quantity_t), private :: quantity            ! name, kind, unit and long name
       logical, private :: is_empty = .true.            ! no case has this quantity
-      integer, private :: longest = 0                  ! of its texts or lists
-      real(dp), allocatable, private :: numbers(:)     ! of each case,
+      integer, private :: longest = 0                  ! length of its longest text or list
+      real(dp), allocatable, private :: numbers(:)     ! value of each case,
       type(cell_t), allocatable, private :: cells(:)   ! or, of texts and lists, these
    contains
       procedure :: init
@@ -44,11 +44,11 @@ contains
       end select
    end subroutine init
 
-   !> The value of one case.
+   !> Value of a case.
    subroutine set(self, case, value)
       class(column_t), intent(inout) :: self
       integer, intent(in) :: case
-      type(quantity_t), intent(in) :: value       !! of the kind of the column
+      type(quantity_t), intent(in) :: value       !! value of the kind of the column
       if (.not. value%exists) return
       self%is_empty = .false.
       select case (self%quantity%kind)
@@ -65,7 +65,7 @@ contains
       end select
    end subroutine set
 
-   !> Write the column as a dataset over `case`. What no case has, and a list without any entry, is left out.
+   !> Write the column as a dataset over `case`. Quantities that no case has, and empty lists, are left out.
    subroutine write_column(self, file)
       class(column_t), intent(in) :: self
       type(hdf5_file_t), intent(inout) :: file

@@ -1,7 +1,7 @@
-!> HDF5 file of a sweep: one row per case over the dimension `case`, whatever its status.
+!> HDF5 file of a sweep: a row per case over the dimension `case`, whatever its status.
 !>
 !> The rows are made from the sweep file (inputs) and from the store (results). Only the columns of `run_columns` are
-!> named here. The others are those of the table of quantities and of the records.
+!> named here. The others come from the table of quantities and the records.
 module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_keys, only: case_key_list
@@ -69,8 +69,8 @@ contains
       call file%finish(error)
    end subroutine write_results
 
-   !> Columns that follow from the sweep file; pending cases have them, too. Of a finished case its record says what was
-   !> used: another version can have planned it otherwise, and for an accuracy it can have been run on finer grids.
+   !> Columns that follow from the sweep file; pending cases have them, too. For a finished case they come from its
+   !> record: another version may have planned it otherwise, or an accuracy may have needed finer grids.
    subroutine write_inputs(file, sweep, contents, place)
       type(hdf5_file_t), intent(inout) :: file
       type(sweep_t), intent(in) :: sweep
@@ -78,7 +78,7 @@ contains
       integer, intent(in) :: place(:)
       type(column_t), allocatable :: columns(:)
       type(quantity_list_t) :: inputs
-      integer, allocatable :: number(:, :)        ! of a column, in each layout; 0: not there
+      integer, allocatable :: number(:, :)        ! number of a column, in each layout; 0: absent
       integer :: i, k, l
 
       inputs = input_row(sweep, 1)
@@ -106,7 +106,7 @@ contains
       end do
    end subroutine write_inputs
 
-   !> The value of a record, where it has one of that kind; an empty text is none.
+   !> The value of a record, if it has that kind; an empty text counts as missing.
    subroutine take_record(text, quantity)
       character(len=*), intent(in) :: text
       type(quantity_t), intent(inout) :: quantity
@@ -115,8 +115,8 @@ contains
       call take_json(text, quantity)
    end subroutine take_record
 
-   !> Inputs of a case, as far as the sweep file and the plan tell it; the keys that vary are among it. Where the plan
-   !> chooses, its choice has the name of the key.
+   !> Inputs of a case, from the sweep file and the plan, varying keys included. Choices of the plan have the name of
+   !> the key.
    function input_row(sweep, case) result(row)
       type(sweep_t), intent(in) :: sweep
       integer, intent(in) :: case
@@ -144,7 +144,7 @@ contains
       type(quantity_list_t), intent(in) :: table
       type(column_t) :: column
       type(quantity_t) :: quantity
-      integer :: number(size(contents%layouts))   ! of the present column, in each layout
+      integer :: number(size(contents%layouts))   ! number of the present column, in each layout
       integer :: i, k, l, other
 
       do l = 1, size(contents%layouts)
@@ -170,7 +170,7 @@ contains
       end do
    end subroutine write_outcomes
 
-   !> A column as the table describes it; one of another version, which the table has not, goes by its name.
+   !> A column as the table describes it; a column of another version, absent from the table, keeps its name.
    function described(table, name, kind) result(quantity)
       type(quantity_list_t), intent(in) :: table
       character(len=*), intent(in) :: name, kind

@@ -45,7 +45,7 @@ contains
       if (allocated(error)) call say(output_unit, time_stamp()//' '//error%message)
    end subroutine renew
 
-   !> Write the file from what is in the store, which is handed back.
+   !> Write the file from the content of the store, which is returned.
    subroutine write_now(self, contents, error)
       class(results_writer_t), intent(inout) :: self
       type(contents_t), intent(out) :: contents

@@ -1,8 +1,8 @@
-!> Dynamic distribution of cases over MPI ranks: the longest expected first, cases of one steady state together.
+!> Dynamic distribution of cases over MPI ranks: the longest expected first, cases with a common steady state together.
 !>
 !> Rank 0 schedules and computes: it answers messages between the steps of its own cases. Every other rank
-!> keeps one case in reserve, so that nobody waits for rank 0, and has its first before rank 0 takes one. One rank runs
-!> the same code without messages.
+!> keeps one case in reserve, so that nobody waits for rank 0, and has its first before rank 0 takes one. A single rank
+!> runs the same code without messages.
 module ehlwave_scheduler
    use ehlwave_case_definition, only: case_t
    use ehlwave_outcome, only: outcome_t
@@ -26,13 +26,13 @@ module ehlwave_scheduler
    !> Any other rank: hears when to stop.
    type, extends(case_watch_t) :: worker_t
       type(mpi_comm) :: comm
-      logical :: has_heard = .false.          !! the one `stop` has arrived
+      logical :: has_heard = .false.          !! `stop` has arrived
    contains
       procedure :: exchange => hear
    end type worker_t
 
-   !> Rank 0: the queue, served whenever a case of its own reports progress. What else rank 0 does, who extends it
-   !> knows.
+   !> Rank 0: the queue, served whenever a case of its own reports progress. Extensions define the other tasks of
+   !> rank 0.
    type, abstract, extends(case_watch_t), public :: leader_t
       type(queue_t) :: queue
       logical :: is_store_broken = .false.    !! a rank could not store a case
@@ -72,8 +72,8 @@ contains
    !> Rank 0: run all cases of the leader's queue, together with the ranks that call `follow`. Collective.
    subroutine run_sweep(comm, run, leader)
       type(mpi_comm), intent(in) :: comm
-      procedure(case_procedure) :: run             !! run_case, or what stands for it in a test
-      class(leader_t), intent(inout) :: leader     !! ready to go; on return what became of everything
+      procedure(case_procedure) :: run             !! run_case, or a substitute in a test
+      class(leader_t), intent(inout) :: leader     !! cases to run; on return their outcomes
       class(shared_steady_t), allocatable, target :: shared
       type(outcome_t) :: outcome
       integer :: case, ranks
@@ -148,7 +148,7 @@ contains
       call look_around(self)
    end subroutine serve_waiting
 
-   !> Notice that all are to stop; do what rank 0 does besides.
+   !> Notice a request to stop; do the other tasks of rank 0.
    subroutine look_around(self)
       class(leader_t), intent(inout) :: self
       call self%look_at_clock()
@@ -166,7 +166,7 @@ contains
       self%has_stopped = .true.
    end subroutine stop_others
 
-   !> Receive one message: a request for a case, or the outcome of one.
+   !> Receive a message: a request for a case, or the outcome of one.
    subroutine serve_one(self)
       class(leader_t), intent(inout) :: self
       integer :: rank
@@ -190,7 +190,7 @@ contains
       call take_outcome(self, outcome)
    end subroutine take_back
 
-   !> Give a rank that asks a case, if there is one.
+   !> Give a case, if any is left, to a rank that asks.
    subroutine answer(self, rank)
       class(leader_t), intent(inout) :: self
       integer, intent(in) :: rank
@@ -271,7 +271,7 @@ contains
       call outbox%wait()
    end subroutine follow
 
-   !> Whether rank 0 wants all to stop.
+   !> Whether rank 0 has a request to stop all ranks.
    subroutine hear(self)
       class(worker_t), intent(inout) :: self
       if (self%has_heard) return

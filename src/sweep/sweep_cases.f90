@@ -18,7 +18,7 @@ module ehlwave_sweep_cases
    private
    public :: refuse_too_many
 
-   real(dp), parameter :: most_cases = 250000, kilobytes_per_case = 3   !! of rank 0, measured
+   real(dp), parameter :: most_cases = 250000, kilobytes_per_case = 3   !! memory of rank 0, measured
 
    character(len=key_length), parameter :: shown_anyway(5) = [character(len=key_length) :: 'load_parameter_m', &
       'lubricant_parameter_l', 'radius_ratio_d', 'orientation', 'wavelength_over_a']
@@ -27,7 +27,7 @@ module ehlwave_sweep_cases
    type, public :: case_limits_t
       real(dp) :: largest_case_seconds = 0    !! a case that takes longer is given up; 0: no limit
       real(dp) :: checkpoint_seconds = 600    !! between two checkpoints of a march
-      integer :: threads = 0                  !! of a rank; 0: the cores that are its own
+      integer :: threads = 0                  !! threads of a rank; 0: the cores it owns
    end type case_limits_t
 
    type, public :: sweep_t
@@ -35,15 +35,15 @@ module ehlwave_sweep_cases
       type(case_t), allocatable :: cases(:)        !! completed, no two alike
       type(case_plan_t), allocatable :: plans(:)
       character(len=identity_length), allocatable :: identity(:)
-      type(case_limits_t) :: limits                !! what is asked of every case
+      type(case_limits_t) :: limits                !! limits of every case
       integer :: defaults = newest_defaults        !! generation of the defaults of keys that its cases have
-      character(len=:), allocatable :: files(:)    !! that it was read from
+      character(len=:), allocatable :: files(:)    !! files read for it
       integer :: skipped = 0                       !! unresolved cases left out on request
       integer, allocatable :: varied(:)            !! numbers of the keys that its lists or columns give; unallocated:
                                                    !! none
-      character(len=:), allocatable :: notice      !! what the user should know about the sweep file, lines
+      character(len=:), allocatable :: notice      !! notices for the user about the sweep file, lines
       type(identity_index_t) :: index              !! from identity to number of the case
-      ! of these, those that have no column of their own in plans and reports
+      ! Keys without a column of their own in plans and reports
       integer, allocatable, private :: told(:)
       logical, private :: skips_unresolved = .false.
    contains
@@ -57,9 +57,9 @@ module ehlwave_sweep_cases
 
 contains
 
-   !> Refuse more cases than one sweep may have; counted before any of them is made.
+   !> Refuse more cases than a sweep may have; counted before any of them is made.
    subroutine refuse_too_many(start, cases, what, error)
-      character(len=*), intent(in) :: start        !! of the message, up to the number
+      character(len=*), intent(in) :: start        !! start of the message, up to the number
       real(dp), intent(in) :: cases
       character(len=*), intent(in) :: what         !! is counted, behind the number
       type(error_t), allocatable, intent(inout) :: error
@@ -139,7 +139,7 @@ contains
    subroutine add(self, input, table, place, error)
       class(sweep_t), intent(inout) :: self
       type(case_input_t), intent(inout) :: input
-      type(key_list_t), intent(in) :: table        !! of all keys, with their defaults
+      type(key_list_t), intent(in) :: table        !! all keys, with their defaults
       character(len=*), intent(in) :: place        !! begins every message
       type(error_t), allocatable, intent(inout) :: error
       type(case_plan_t) :: plan

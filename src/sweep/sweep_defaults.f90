@@ -1,4 +1,4 @@
-!> The defaults of keys of a sweep: those that its store was begun with, as its records say.
+!> The defaults of keys of a sweep: the defaults at the start of its store, from its records.
 module ehlwave_sweep_defaults
    use ehlwave_errors, only: error_t, raise
    use ehlwave_store_defaults, only: not_said, origin_t, read_origin
@@ -16,9 +16,9 @@ contains
    !>
    !> Fails where the store contradicts itself: other defaults are other results.
    subroutine choose_defaults(folder, generation, notice, error)
-      character(len=*), intent(in) :: folder       !! of the store; it need not be there
+      character(len=*), intent(in) :: folder       !! folder of the store; it need not exist
       integer, intent(out) :: generation
-      character(len=:), allocatable, intent(out) :: notice   !! what the user should know, a line or nothing
+      character(len=:), allocatable, intent(out) :: notice   !! notice for the user, a line or nothing
       type(error_t), allocatable, intent(inout) :: error
       type(origin_t) :: origin
       character(len=:), allocatable :: records

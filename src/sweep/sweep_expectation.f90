@@ -9,8 +9,8 @@ module ehlwave_sweep_expectation
 
 contains
 
-   !> Wall time of each case in seconds, NaN where there is no model. One grid is timed for all of them, so that
-   !> 100,000 cases take no longer than one.
+   !> Wall time of each case in seconds, NaN where there is no model. A single grid is timed for all, so that
+   !> 100,000 cases take no longer than a single case.
    function expected_seconds(plans) result(seconds)
       type(case_plan_t), intent(in) :: plans(:)
       real(dp) :: seconds(size(plans))

@@ -1,4 +1,4 @@
-!> One run of a sweep from its store to its results file, on all ranks.
+!> A run of a sweep from its store to its results file, on all ranks.
 module ehlwave_sweep_job
    use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_case_work, only: case_procedure, case_watch_t
@@ -23,10 +23,10 @@ module ehlwave_sweep_job
 
 contains
 
-   !> Run what is left of a sweep; `code` is the exit status. Collective. `sweep` is filled on rank 0 only.
+   !> Run the rest of a sweep; `code` is the exit status. Collective. `sweep` is filled on rank 0 only.
    subroutine run_job(comm, run, sweep_path, sweep, options, code)
       type(mpi_comm), intent(in) :: comm
-      procedure(case_procedure) :: run           !! run_case, or what stands for it in a test
+      procedure(case_procedure) :: run           !! run_case, or a substitute in a test
       character(len=*), intent(in) :: sweep_path
       type(sweep_t), intent(in), target :: sweep
       type(job_options_t), intent(in) :: options

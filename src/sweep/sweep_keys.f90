@@ -19,7 +19,7 @@ module ehlwave_sweep_keys
       type(case_limits_t) :: limits
    end type sweep_settings_t
 
-   !> A list or column that stands for wavelengths.
+   !> A list or column that determines wavelengths.
    type(key_t), parameter, public :: f_v_key = key_t(name='f_v', help='f(r) V; a list in place of wavelengths', &
       above=0.0_dp, default='none', kind=number_kind, group=sweep_group)
 
@@ -46,7 +46,7 @@ contains
          'checkpoints of a time march', unit='s', minimum=0.0_dp))
    end subroutine visit_sweep_keys
 
-   !> Reference of all keys of a sweep file: those of a case, then its own.
+   !> Reference of all keys of a sweep file: keys of a case, then its own.
    function sweep_key_reference(is_markdown) result(text)
       logical, intent(in) :: is_markdown
       character(len=:), allocatable :: text

@@ -46,7 +46,7 @@ module ehlwave_sweep_leader
       real(dp) :: time_limit_s = huge(1.0_dp)    !! from the start of the program on
    end type job_options_t
 
-   !> Rank 0 also takes over the store, counts the cases, tells the progress and keeps the results file up to date.
+   !> Rank 0 also takes over the store, counts the cases, reports the progress and keeps the results file up to date.
    type, extends(leader_t), public :: job_t
       type(progress_t) :: progress
       type(results_writer_t) :: writer
@@ -59,7 +59,7 @@ module ehlwave_sweep_leader
 
 contains
 
-   !> Take over the store, find out what is left to run, say so.
+   !> Take over the store, find and report the cases left to run.
    subroutine prepare(self, sweep_path, sweep, options, ranks, store, error)
       class(job_t), intent(inout) :: self
       character(len=*), intent(in) :: sweep_path
@@ -147,7 +147,7 @@ contains
 
    !> Refuse to drop a store that holds a file which the sweep reads.
    subroutine refuse_dropped_inputs(folder, files, error)
-      character(len=*), intent(in) :: folder     !! of the store
+      character(len=*), intent(in) :: folder     !! folder of the store
       character(len=*), intent(in) :: files(:)
       type(error_t), allocatable, intent(inout) :: error
       integer :: i
@@ -158,7 +158,7 @@ contains
       end do
    end subroutine refuse_dropped_inputs
 
-   !> Remove what overwriting was asked for and is no result: a run that goes on without being asked would refuse it.
+   !> Remove files to overwrite that are no results: a resumed run would refuse them.
    subroutine drop_foreign_results(path, error)
       character(len=*), intent(in) :: path       !! a regular file, or nothing
       type(error_t), allocatable, intent(inout) :: error
@@ -172,7 +172,7 @@ contains
    !> The list of all cases, for `--status`.
    subroutine list_cases(sweep, folder, store, error)
       type(sweep_t), intent(in) :: sweep
-      character(len=*), intent(in) :: folder     !! of the store
+      character(len=*), intent(in) :: folder     !! folder of the store
       type(store_t), intent(inout) :: store
       type(error_t), allocatable, intent(inout) :: error
       type(case_list_t) :: list
@@ -199,7 +199,7 @@ contains
       call self%writer%renew(self%progress%done())
    end subroutine look_after
 
-   !> Make the results file from the store and say what became of the sweep.
+   !> Make the results file from the store and report the state of the sweep.
    subroutine conclude(self, code)
       class(job_t), intent(inout) :: self
       integer, intent(out) :: code

@@ -15,17 +15,17 @@ module ehlwave_sweep_lists
    private
    public :: read_lists
 
-   !> Values of one key.
+   !> Values of a key.
    type :: list_t
       integer :: key = 0                             ! number of the key, 0: f_v
       type(key_value_t), allocatable :: values(:)
    end type list_t
 
-   !> The combinations, one after the other.
+   !> The combinations, in order.
    type, public :: sweep_lists_t
       integer, allocatable :: keys(:)                !! numbers of the keys that have a list, f_v excepted
       logical :: has_f_v = .false.
-      type(list_t), allocatable, private :: lists(:) ! the one that varies fastest last
+      type(list_t), allocatable, private :: lists(:) ! the fastest-varying key last
       integer, allocatable, private :: at(:)         ! place in each list
    contains
       procedure :: combinations
@@ -33,14 +33,14 @@ module ehlwave_sweep_lists
       procedure :: put
    end type sweep_lists_t
 
-   !> These vary fastest, the last one most; all others slower, in the order of the table.
+   !> These vary fastest, the last most; all others slower, in the order of the table.
    character(len=key_length), parameter :: fast(5) = [character(len=key_length) :: 'radius_ratio_d', &
       'lubricant_parameter_l', 'load_parameter_m', 'orientation', 'wavelength_over_a']
 
 contains
 
    !> Read the lists of all keys of a table, and f_v. Fails on values that a key refuses, on keys that cannot vary, and
-   !> on more combinations than one sweep may have.
+   !> on more combinations than a sweep may have.
    subroutine read_lists(file, table, self, error)
       type(namelist_t), intent(inout) :: file
       type(key_list_t), intent(in) :: table          !! with the defaults
@@ -67,7 +67,7 @@ contains
          ' combinations', error)
    end subroutine read_lists
 
-   !> Append the list of one key, if the file has one. What is in it twice counts once.
+   !> Append the list of a key, if the file has it. Repeated values count once.
    subroutine read_list(file, key, number, lists, error)
       type(namelist_t), intent(inout) :: file
       type(key_t), intent(in) :: key
@@ -106,7 +106,7 @@ contains
       combinations = product([(real(size(self%lists(i)%values), dp), i=1, size(self%lists))])
    end function combinations
 
-   !> Go to the next combination, at first to the first one; false when there is none. Without lists there is one.
+   !> Go to the next combination, at first to the first; false at the end. Without lists there is a single combination.
    logical function next(self)
       class(sweep_lists_t), intent(inout) :: self
       integer :: i

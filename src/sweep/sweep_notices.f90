@@ -12,7 +12,7 @@ module ehlwave_sweep_notices
 
 contains
 
-   !> Tell what is in the store and how it differs from what is asked for now.
+   !> Report the content of the store and its differences from the present request.
    subroutine print_notices(sweep, contents, to_run, retry)
       type(sweep_t), intent(in) :: sweep
       type(contents_t), intent(in) :: contents
@@ -46,7 +46,7 @@ contains
          '; they are kept (each row of the results tells its version; --retry version computes them again)')
    end subroutine print_notices
 
-   !> Lines of the effective input, beyond what a sweep varies, that differ from those of an earlier run.
+   !> Lines of the effective input, beyond what a sweep varies, that differ from an earlier run.
    subroutine print_changed_settings(sweep, contents)
       type(sweep_t), intent(in) :: sweep
       type(contents_t), intent(in) :: contents

@@ -13,7 +13,7 @@ module ehlwave_sweep_progress
 
    type, public :: progress_t
       integer :: total = 0                           !! cases of the sweep
-      integer :: counts(0:last_status) = 0           !! finished cases by status, those of earlier runs included
+      integer :: counts(0:last_status) = 0           !! finished cases by status, earlier runs included
       integer :: ranks = 1
       real(dp) :: seconds = 0                        !! wall time of all finished cases
       real(dp) :: start_s = 0                        !! wall_seconds at the start
@@ -51,7 +51,7 @@ contains
       self%seconds = self%seconds + seconds
    end subroutine count_case
 
-   !> Count a case of this run; failures are told at once.
+   !> Count a case of this run; failures are reported at once.
    subroutine finished(self, outcome)
       class(progress_t), intent(inout) :: self
       type(outcome_t), intent(in) :: outcome
@@ -60,7 +60,7 @@ contains
          status_name(outcome%status)//': '//trim(outcome%message))
    end subroutine finished
 
-   !> A line when it is time for one. Negative `seconds_left`: not known.
+   !> Print a line when due. Negative `seconds_left`: unknown.
    subroutine tick(self, seconds_left, is_last)
       class(progress_t), intent(inout) :: self
       real(dp), intent(in) :: seconds_left           !! expected wall time of all cases that are left
@@ -78,7 +78,7 @@ contains
       flush (output_unit)
    end subroutine tick
 
-   !> A number, to the right of a column, and what it counts.
+   !> A right-aligned number and its unit.
    pure function counted(number, width, what) result(text)
       integer, intent(in) :: number, width
       character(len=*), intent(in) :: what

@@ -10,17 +10,16 @@ module ehlwave_sweep_queue
    private
    public :: new_queue
 
-   !> Linear responses about one steady state form a group, those of the same frequency one after the other, as they
-   !> share factors; every other case is a group of its own. A rank stays with its group as long as there is something
-   !> left in it, then takes the longest group that nobody has begun, and in the end helps with the group that has most
-   !> left, at the price of one more steady state. So no rank idles while there are cases, and the numbers depend on
-   !> none of this.
+   !> Linear responses about the same steady state form a group, sorted by frequency, as equal frequencies share
+   !> factors; every other case is a group of its own. A rank finishes its group, then takes the longest group not yet
+   !> begun. In the end it helps with the group that has most left, at the price of another steady state. So no rank
+   !> idles while there are cases, and results do not depend on the order.
    !>
    !> The model of the time of a case is fitted anew, and the queue sorted again, whenever the number of finished
    !> cases has grown by a half.
    type, public :: queue_t
       real(dp), private :: expected_left = 0         ! seconds of all cases that are not finished, by the model
-      real(dp), private :: total_over_model = 1      ! of the cases that are finished: a fit of logarithms finds medians
+      real(dp), private :: total_over_model = 1      ! ratio for finished cases: a fit of logarithms finds medians
       type(cost_model_t) :: model
       integer, allocatable :: group(:)               !! group of each case
       integer, allocatable, private :: sequence(:)   ! groups, the longest first
@@ -29,9 +28,9 @@ module ehlwave_sweep_queue
       integer, allocatable, private :: first(:), next(:)   ! first waiting case of a group, next of its group; 0: none
       integer, private :: waiting = 0                ! cases
       real(dp), allocatable, private :: left(:)      ! expected seconds of the waiting cases of a group
-      real(dp), allocatable, private :: expected(:)  ! of each case
+      real(dp), allocatable, private :: expected(:)  ! expected time of each case
       logical, allocatable, private :: to_run(:)
-      real(dp), allocatable, private :: features(:, :), seconds(:)   ! of all cases; seconds 0: not finished
+      real(dp), allocatable, private :: features(:, :), seconds(:)   ! data of all cases; seconds 0: not finished
       ! seconds by the plan, NaN: no model; not allocated: nothing is known
       real(dp), allocatable, private :: planned(:)
       integer, private :: known = 0, refit_at = 1
@@ -186,7 +185,7 @@ contains
       if (self%model%is_fitted) seconds_left = max(0.0_dp, self%total_over_model*self%expected_left)
    end function seconds_left
 
-   !> Places of the numbers, largest first; equal ones in their order.
+   !> Places of the numbers, largest first; equal numbers in their order.
    pure function longest_first(cost) result(order)
       real(dp), intent(in) :: cost(:)
       integer :: order(size(cost))

@@ -16,7 +16,7 @@ module ehlwave_sweep_report
 
 contains
 
-   !> All cases with what they take, to a unit.
+   !> All cases with their expected cost, rounded to a unit.
    subroutine print_sweep_plan(unit, sweep)
       integer, intent(in) :: unit
       type(sweep_t), intent(in) :: sweep

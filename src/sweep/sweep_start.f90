@@ -21,18 +21,18 @@ module ehlwave_sweep_start
    private
    public :: choose_cases, refuse_changed_files, set_aside_crashed
 
-   integer, parameter :: most_deaths = 2   !! of its process in a case, before it is set aside
+   integer, parameter :: most_deaths = 2   !! deaths of its process in a case, before it is set aside
 
 contains
 
-   !> Which cases are to run, and what is known of the others.
+   !> Cases to run, and the state of the others.
    subroutine choose_cases(sweep, store, contents, retry, to_run, status, seconds)
       type(sweep_t), intent(in) :: sweep
       class(store_t), intent(in) :: store
       type(contents_t), intent(in) :: contents
-      character(len=*), intent(in) :: retry          !! '', 'failed', 'version' or 'files': what to run again
+      character(len=*), intent(in) :: retry          !! '', 'failed', 'version' or 'files': kind of cases to run again
       logical, intent(out) :: to_run(:)
-      integer, intent(out) :: status(:)              !! of the last record, else pending
+      integer, intent(out) :: status(:)              !! status of the last record, else pending
       real(dp), intent(out) :: seconds(:)            !! wall time, 0: none
       logical :: has_fields
       integer :: i, place
@@ -49,7 +49,7 @@ contains
                      (retry == 'version' .and. .not. contents%logs(contents%cases(place)%log)%is_by_this_build) .or. &
                      (retry == 'files' .and. file_unlike_stored(sweep%plans(i), contents, place) > 0)
          if (sweep%cases(i)%fields .and. .not. to_run(i)) then
-            has_fields = is_own_result(store%fields_path(sweep%identity(i)))   ! and whole
+            has_fields = is_own_result(store%fields_path(sweep%identity(i)))   ! complete
             to_run(i) = is_success(status(i)) .and. .not. has_fields
          end if
       end do
@@ -60,7 +60,7 @@ contains
    integer function file_unlike_stored(plan, contents, place) result(f)
       type(case_plan_t), intent(in) :: plan
       type(contents_t), intent(in) :: contents
-      integer, intent(in) :: place                   !! of the case in the contents
+      integer, intent(in) :: place                   !! place of the case in the contents
       character(len=:), allocatable :: stored
       do f = 1, size(plan%files)
          if (plan%files(f)%path == '') cycle
@@ -70,7 +70,7 @@ contains
       f = 0
    end function file_unlike_stored
 
-   !> Refuse to go on where a stored result is that of another content of a file that the case reads.
+   !> Refuse to go on where a stored result used another content of a file that the case reads.
    subroutine refuse_changed_files(sweep, contents, to_run, error)
       type(sweep_t), intent(in) :: sweep
       type(contents_t), intent(in) :: contents
@@ -95,7 +95,7 @@ contains
       end associate
    end subroutine refuse_changed_files
 
-   !> Cases whose process died in two runs are stored as `crashed` and not tried again; says so.
+   !> Cases whose process died in two runs are stored as `crashed` and not tried again, with a report.
    subroutine set_aside_crashed(sweep, contents, store, to_run, status, error)
       type(sweep_t), intent(in) :: sweep
       type(contents_t), intent(in) :: contents

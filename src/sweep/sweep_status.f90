@@ -23,7 +23,7 @@ module ehlwave_sweep_status
 
 contains
 
-   !> Print what the store of a results file holds. `is_finished`: no case is left to run; `failed`: number of
+   !> Print the content of the store of a results file. `is_finished`: no case is left to run; `failed`: number of
    !> finished cases that did not converge. Fails when there is no store or it cannot be understood.
    subroutine print_status(unit, path, is_finished, failed, error)
       integer, intent(in) :: unit
@@ -33,7 +33,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(contents_t) :: contents
       type(case_list_t) :: list
-      integer, allocatable :: place(:)           ! of each case in the contents, 0: not there
+      integer, allocatable :: place(:)           ! place of each case in the contents, 0: absent
       character(len=:), allocatable :: folder
       integer, allocatable :: found(:)
       integer :: i, n, status
@@ -51,7 +51,7 @@ contains
       call refuse_lost_records(folder, error)
       call list%read(folder, error)
       if (allocated(error)) return
-      ! a job that began in between has written another one
+      ! another job wrote one meanwhile
       if (is_locked(folder//'/'//lock_name)) contents%list_checksum = ''
       if (contents%list_checksum /= '' .and. contents%list_checksum /= list%checksum) call raise(error, folder//'/'// &
          cases_name//' is not whole: the sweep, started again, writes it anew')
@@ -87,7 +87,7 @@ contains
       integer, intent(in) :: unit
       type(contents_t), intent(in) :: contents
       type(case_list_t), intent(in) :: list
-      integer, intent(in) :: place(:)            !! of each case in the contents, 0: not there
+      integer, intent(in) :: place(:)            !! place of each case in the contents, 0: absent
       integer, intent(in) :: found(:)
       type(cost_model_t) :: model
       real(dp) :: left, seconds(size(place))
@@ -118,7 +118,7 @@ contains
       integer, intent(in) :: unit
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: found(:)
-      character(len=*), intent(in) :: variation(:)   !! of the cases that were found
+      character(len=*), intent(in) :: variation(:)   !! variations of the cases found
       logical :: is_shown(size(found))
       integer :: k, place
 
@@ -136,7 +136,7 @@ contains
       integer, intent(in) :: unit
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: found(:)
-      character(len=*), intent(in) :: variation(:)   !! of the cases that were found
+      character(len=*), intent(in) :: variation(:)   !! variations of the cases found
       integer :: i, shown
 
       shown = 0
@@ -153,7 +153,7 @@ contains
       if (shown > failed_shown) call say(unit, '             and '//to_text(shown - failed_shown)//' more')
    end subroutine print_failed
 
-   !> Identity, conditions and what else varies of a case.
+   !> Identity, conditions and varying keys of a case.
    function one_case(contents, place, variation) result(text)
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: place

@@ -7,15 +7,15 @@ module ehlwave_carried_change
    implicit none (type, external)
    private
 
-   !> Films of the last steps at Y = 0, and what the last of them differs by from the film a period before.
+   !> Films of the last steps at Y = 0, and the difference of the last from the film a period before.
    !>
-   !> In the high-pressure zone the oil carries what a film differs by from the periodic one, as it is: a change at X is
-   !> at the centre after the time -X. So the film that the centre comes to is known before the oil is there.
+   !> In the high-pressure zone the oil carries the difference of a film from the periodic film unchanged: a change at X
+   !> is at the centre after the time -X. So the final film at the centre is known before the oil arrives.
    type, public :: carried_change_t
       type(grid_t), private :: grid
       real(dp), allocatable, private :: films(:, :)   ! (0:nx, 0:n - 1), of step m at m modulo n
       real(dp), allocatable, private :: change(:)     ! (0:nx)
-      real(dp), allocatable, private :: weight(:)     ! (0:nx), of it in what is told
+      real(dp), allocatable, private :: weight(:)     ! (0:nx), its share in the correction
       real(dp), private :: lag = 0                    ! period, steps
       real(dp), private :: cells_per_step = 1
       real(dp), private :: first = 0                  ! X from which on films are carried to the centre
@@ -28,15 +28,15 @@ module ehlwave_carried_change
       procedure :: correct
    end type carried_change_t
 
-   integer, parameter, public :: points = 6            !! of interpolation in time; four leave 1e-3 of A where a period
+   integer, parameter, public :: points = 6  !! points of interpolation in time; four leave 1e-3 of A where a period
                                                        !! has ten steps
    real(dp), parameter :: farthest_upstream = -1       !! X, from where the film has to repeat
-   real(dp), parameter :: most_lost = 0.4_dp           !! of what is carried, on the way to the centre, by `spread`
+   real(dp), parameter :: most_lost = 0.4_dp  !! loss of the carried change, on the way to the centre, by `spread`
    real(dp), parameter :: least_lost = 0.1_dp          !! or gained, by all else
-   real(dp), parameter :: spread = 6e-4_dp             !! of a wave by Poiseuille flow, on a way of length 1/k: this
+   real(dp), parameter :: spread = 6e-4_dp  !! decay of a wave by Poiseuille flow, on a way of length 1/k: this
                                                        !! times (1/share - 1) (k hX)^2; M = 100, lambda = 0.5 a:
                                                        !! changes at X = -0.8 differ by 0.07 at the centre
-   real(dp), parameter :: whole = 1e-6_dp              !! of a step
+   real(dp), parameter :: whole = 1e-6_dp              !! share of a step
 
 contains
 
@@ -45,7 +45,7 @@ contains
       class(carried_change_t), intent(out) :: self
       type(grid_t), intent(in) :: grid
       type(march_settings_t), intent(in) :: settings
-      real(dp), intent(in) :: share(0:, 0:)     !! of films that the oil carries, (0:nx, 0:ny)
+      real(dp), intent(in) :: share(0:, 0:)     !! films that the oil carries, (0:nx, 0:ny)
       real(dp), intent(in) :: film(0:, 0:)
       real(dp) :: loss, wave_number
       integer :: i
@@ -95,11 +95,11 @@ contains
       class(carried_change_t), intent(in) :: self
       integer, intent(in) :: k
       real(dp) :: later
-      later = merge(0.0_dp, 2.0_dp, abs(self%lag - nint(self%lag)) < whole)   ! of an interpolation between steps
+      later = merge(0.0_dp, 2.0_dp, abs(self%lag - nint(self%lag)) < whole)   ! points of an interpolation between steps
       is_known = k >= max(self%lag - whole + later, real(points, dp))
    end function is_known
 
-   !> Largest change from X = -1 to the centre; of that which `correct` takes care of what is lost on the way.
+   !> Largest change from X = -1 to the centre. The share corrected by `correct` counts by its loss on the way.
    pure real(dp) function largest(self, corrects)
       class(carried_change_t), intent(in) :: self
       logical, intent(in) :: corrects
@@ -110,8 +110,8 @@ contains
       end if
    end function largest
 
-   !> Give films at the centre of the last period, and of the steps that are interpolated with them, what is on its way
-   !> to there: all changes at a whole number of periods upstream. A period below a time step has no such places.
+   !> Add to films at the centre, over the last period and the steps interpolated with it, the changes that are on
+   !> their way. All changes are at a whole number of periods upstream. A period below a time step has no such places.
    pure subroutine correct(self, films)
       class(carried_change_t), intent(in) :: self
       real(dp), intent(inout) :: films(0:)       !! (0:k), the last step seen

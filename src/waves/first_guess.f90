@@ -14,7 +14,7 @@ module ehlwave_first_guess
 
    !> Solutions that the first guess is made from.
    type, public :: past_t
-      type(state_t) :: steady, before, earlier, earliest   ! of smooth surfaces; at T - dT, T - 2 dT, T - 3 dT
+      type(state_t) :: steady, before, earlier, earliest  ! solutions for smooth surfaces; at T - dT, T - 2 dT, T - 3 dT
       ! (0:nx, 0:ny, 0:3): a period before T, T - dT, ...; absent: none
       real(dp), allocatable :: known_p(:, :, :)
       real(dp) :: known_delta(0:3) = 0
@@ -36,12 +36,12 @@ contains
       share = 1/(1 + spread_weight*equations%flow%mobility()/(level%problem%grid%hx*equations%self_influence))
    end function carried_share
 
-   !> First guess: P0, which is the solution a period before or else the steady state, and what solutions differ from
-   !> it, p = P - P0, extrapolated. Where the film is carried along, along the characteristic: 3 p(i-m, k-1) - 3 p(i-2m,
+   !> First guess: P0, which is the solution a period before or else the steady state, plus the extrapolated difference,
+   !> p = P - P0. Where the oil carries the film, extrapolation follows the characteristic: 3 p(i-m, k-1) - 3 p(i-2m,
    !> k-2) + p(i-3m, k-3); elsewhere in time at fixed X: 3 p(k-1) - 3 p(k-2) + p(k-3); in between, by share. The latter
    !> stays in the range of the neighbours at the step before.
    subroutine extrapolate(m, share, past, state)
-      integer, intent(in) :: m                       !! cells that a feature travels in one step
+      integer, intent(in) :: m                       !! cells that a feature travels per step
       real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
       type(past_t), intent(in) :: past
       type(state_t), intent(inout) :: state
@@ -87,12 +87,12 @@ contains
       end associate
    end subroutine extrapolate_about
 
-   !> First guess of the first steps from known waves: the solution before and what these change. Extrapolation would
-   !> amplify the errors of the waves.
+   !> First guess of the first steps from known waves: the previous solution and the change of the waves.
+   !> Extrapolation would amplify the errors of the waves.
    subroutine carry_on(past, waves, t, dt, state)
       type(past_t), intent(in) :: past
       type(known_waves_t), intent(in) :: waves
-      real(dp), intent(in) :: t, dt               !! of the step
+      real(dp), intent(in) :: t, dt               !! time of the step
       type(state_t), intent(inout) :: state
       state = past%before
       call state%add(waves%state_at(t), 1.0_dp)
@@ -100,10 +100,10 @@ contains
       call waves%limit(state)
    end subroutine carry_on
 
-   !> Let `past` know the solutions a period before T = t and the three steps before that.
+   !> Give `past` the solutions a period before T = t and the three steps before that.
    subroutine look_up(period, t, dt, past)
       type(last_period_t), intent(in) :: period   !! in which they are known
-      real(dp), intent(in) :: t, dt               !! of the step
+      real(dp), intent(in) :: t, dt               !! time of the step
       type(past_t), intent(inout) :: past
       logical :: is_new
       integer :: n

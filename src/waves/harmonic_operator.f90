@@ -1,4 +1,4 @@
-!> The linear operator for small changes of one frequency: the contact linearised about its steady state.
+!> The linear operator for small changes of a single frequency: the contact linearised about its steady state.
 module ehlwave_harmonic_operator
    use ehlwave_complex_linearised_contact, only: linearised_contact_t
    use ehlwave_cycle_settings, only: response_cycle
@@ -12,12 +12,12 @@ module ehlwave_harmonic_operator
    implicit none (type, external)
    private
 
-   !> The contact linearised about a steady state, for changes of one frequency at a time.
+   !> The contact linearised about a steady state, for changes of a single frequency at a time.
    type, public :: harmonic_operator_t
       type(linearised_contact_t) :: linear
-      logical :: is_real = .false.                 !! what is asked for: a real change that does not turn
-      real(dp), private :: frequency = 0           ! of the operator
-      logical, private :: has_factors = .false.    ! of the frequency
+      logical :: is_real = .false.                 !! whether the change is real and stationary
+      real(dp), private :: frequency = 0           ! frequency of the operator
+      logical, private :: has_factors = .false.    ! factors of the frequency
    contains
       procedure :: init
       procedure :: drop
@@ -26,9 +26,9 @@ module ehlwave_harmonic_operator
 
 contains
 
-   !> Linearise about the steady state of the finest of `levels`, of smooth surfaces; coarser ones about their own, as
-   !> far as they have one that is like it. What the finest grid leaves at their nodes is no state of theirs: of a spike
-   !> of two nodes across it takes one or none. Book, 2048^2: 25 GMRES steps in place of 48.
+   !> Linearise about the steady state of the finest of `levels`, of smooth surfaces; coarser levels about their own
+   !> steady state, where it is similar. Injection from the finest grid would miss a spike two nodes wide. For the book
+   !> case on 2048^2 cells this halves the GMRES steps (25 in place of 48).
    subroutine init(self, levels)
       class(harmonic_operator_t), intent(inout) :: self
       type(level_t), intent(inout) :: levels(:)   !! coarsest first
@@ -58,25 +58,25 @@ contains
    !> 10,000, 1024^2, with their states: 22 GMRES steps in place of 14.
    pure logical function is_like(coarse, fine)
       type(level_t), intent(in) :: coarse, fine
-      real(dp), parameter :: largest_change = 0.05_dp   ! of H(0,0)
+      real(dp), parameter :: largest_change = 0.05_dp   ! share of H(0,0)
       is_like = .false.
       if (allocated(fine%given%supply) .or. allocated(fine%problem%heat)) return
       if (.not. (coarse%has_film() .and. fine%has_film())) return
       is_like = abs(coarse%central_film/fine%central_film - 1) < largest_change
    end function is_like
 
-   !> Give back what the next frequency makes anew, `init` being called again.
+   !> Free the data that the next `init` makes anew for another frequency.
    subroutine drop(self)
       class(harmonic_operator_t), intent(inout) :: self
       if (allocated(self%linear%levels)) deallocate (self%linear%levels)
       self%has_factors = .false.
    end subroutine drop
 
-   !> Operator for changes of one frequency, and its factors unless they are there. Those of a real change that does not
-   !> turn are the tangent's.
+   !> Operator for changes of a single frequency, and its factors unless available. A real, stationary change uses the
+   !> tangent's factors.
    subroutine set_frequency(self, levels, frequency, inertia, is_real, along)
       class(harmonic_operator_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: levels(:)   !! those of `init`
+      type(level_t), intent(inout), target :: levels(:)   !! levels of `init`
       real(dp), intent(in) :: frequency       !! w in units of 1/T
       complex(dp), intent(in) :: inertia      !! weight of Delta in the load row, 0: force balance
       logical, intent(in) :: is_real

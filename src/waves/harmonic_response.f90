@@ -1,4 +1,4 @@
-!> The linear response of a contact to small waves: what changes with them, and by how much.
+!> The linear response of a contact to small waves: amplitudes and phases of all changes.
 module ehlwave_harmonic_response
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
@@ -19,7 +19,7 @@ module ehlwave_harmonic_response
       complex(dp) :: pressure = 0                    !! amplitude of P(0,0) over A
       complex(dp) :: approach = 0                    !! amplitude of Delta over A
       integer :: linear_steps = 0                    !! GMRES steps
-      real(dp) :: reduction = 0                      !! of the linear residual
+      real(dp) :: reduction = 0                      !! reduction of the linear residual
       complex(dp), allocatable :: p(:, :), h(:, :)   !! amplitudes of P and H over A, (0:nx, 0:ny)
    contains
       procedure :: add_to

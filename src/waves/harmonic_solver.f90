@@ -14,13 +14,13 @@ module ehlwave_harmonic_solver
    implicit none (type, external)
    private
 
-   !> Of the linear residual: 1e-4 leaves up to 0.3 % where Ad/Ai is a few per cent (2e-4 of Ai), 1e-5 a tenth of that
-   !> for one or two steps more.
+   !> Tolerance of the linear residual: 1e-4 leaves up to 0.3 % where Ad/Ai is a few per cent (2e-4 of Ai), 1e-5 a
+   !> tenth of that for one or two more steps.
    real(dp), parameter :: response_tolerance = 1e-5_dp
 
-   !> Solver of the operator about one steady state; `init` comes first, `respond` sets the frequency.
+   !> Solver of the operator about a steady state; `init` comes first, `respond` sets the frequency.
    type, extends(harmonic_operator_t), public :: harmonic_solver_t
-      real(dp) :: tolerance = response_tolerance        !! of the linear residual
+      real(dp) :: tolerance = response_tolerance        !! tolerance of the linear residual
       class(steady_tangent_t), allocatable :: tangent   !! for real changes that do not turn, see `find_tangent`
       real(dp), private :: tangent_work = 0             ! operations that it took, if a response found it
       type(gmres_t), private :: gmres
@@ -36,14 +36,14 @@ contains
    !> Have the real linear system about the same state; it stays until it is deallocated.
    subroutine find_tangent(self, levels)
       class(harmonic_solver_t), intent(inout) :: self
-      type(level_t), intent(inout) :: levels(:)   !! those of `init`, which may come later
+      type(level_t), intent(inout) :: levels(:)   !! levels of `init`, which may come later
       if (allocated(self%tangent)) return
       allocate (self%tangent)
       call self%tangent%init(levels)
    end subroutine find_tangent
 
-   !> The same for a response, which counts the work of a tangent that an earlier one found: counts do not depend on
-   !> their order.
+   !> Count for a response the work of a tangent that an earlier response found: counts do not depend on their
+   !> order.
    subroutine count_tangent(self, levels)
       class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout) :: levels(:)
@@ -60,11 +60,11 @@ contains
       end if
    end subroutine count_tangent
 
-   !> Response to one pattern. It depends on nothing but the steady state and the pattern: factors of the one before are
-   !> used again where its frequency is the same. Of a pattern that varies along Y only all is real.
+   !> Response to a pattern. It depends only on the steady state and the pattern: factors of the previous pattern are
+   !> used again for the same frequency. For a pattern that varies along Y only, all is real.
    subroutine respond(self, levels, waviness, natural_frequency, steps_per_cell, response)
       class(harmonic_solver_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: levels(:)   !! those of `init`: their deformation is used
+      type(level_t), intent(inout), target :: levels(:)   !! levels of `init`: their deformation is used
       type(waviness_t), intent(in) :: waviness
       real(dp), intent(in) :: natural_frequency      !! Omega of the equation of motion; 0: force balance
       integer, intent(in) :: steps_per_cell          !! m for dT = hX/m: enters through the equation of motion only
@@ -104,7 +104,7 @@ contains
    !> Response of another right side, with the operator of the pattern that was the last.
    subroutine respond_to(self, levels, b, response)
       class(harmonic_solver_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: levels(:)   !! those of `init`
+      type(level_t), intent(inout), target :: levels(:)   !! levels of `init`
       complex(dp), intent(in), contiguous :: b(:)         !! weighted change of the residuals, 0 at cavitated nodes
       type(harmonic_response_t), intent(out) :: response
       complex(dp), allocatable, target :: x(:)

@@ -18,7 +18,7 @@ module ehlwave_known_waves
    implicit none (type, external)
    private
 
-   !> Waves of one surface, of amplitude A.
+   !> Waves of a surface, of amplitude A.
    type :: surface_waves_t
       real(dp) :: frequency = 0                        ! w in units of 1/T
       real(dp) :: amplitude = 0                        ! A in units of c
@@ -29,16 +29,16 @@ module ehlwave_known_waves
    !>
    !>     u(T) = u0 + A^2 u20 + Re(A u1 exp(-i w T)) + Re(A^2 u22 exp(-2 i w T)),     u = P, H, Delta,
    !>
-   !> with the linear response u1, the change of the mean u20 and the second harmonic u22. They are those of the
-   !> differences in time of a march with dT = hX or a whole part of it: a march that starts in these waves has nothing
-   !> to settle at first and second order. Waves of two surfaces add up; what both do together, of second order, is left
-   !> to the march.
+   !> with the linear response u1, the change of the mean u20 and the second harmonic u22. They satisfy the time
+   !> differences of a march with dT = hX or a whole part of it: a march that starts in these waves has nothing to
+   !> settle at first and second order. Waves of two surfaces add up; their second-order interaction is left to the
+   !> march.
    type, public :: known_waves_t
       integer :: linear_steps = 0                      !! GMRES steps
       type(state_t), private :: smooth                 ! without waves
-      type(state_t), private :: still                  ! what does not change in time
-      type(surface_waves_t), allocatable, private :: waves(:)   ! of each surface
-      type(state_t), private :: rest(3)                ! what a coarser grid found besides, see `take_rest`
+      type(state_t), private :: still                  ! stationary part
+      type(surface_waves_t), allocatable, private :: waves(:)   ! waves of each surface
+      type(state_t), private :: rest(3)                ! corrections from a coarser grid, see `take_rest`
       real(dp), private :: rest_time = 0, rest_step = 1
       logical, private :: has_rest = .false.
    contains
@@ -49,17 +49,17 @@ module ehlwave_known_waves
       procedure, private :: to_second_order
    end type known_waves_t
 
-   real(dp), parameter :: thinnest = 0.1_dp   !! of the smooth film, where waves would leave less
+   real(dp), parameter :: thinnest = 0.1_dp   !! share of the smooth film, where waves would leave less
    real(dp), parameter :: steep = 0.15_dp     !! change of P between neighbours where the smooth pressure ends
 
 contains
 
-   !> Find them about the steady state of the finest of `levels`. Without the first order there is nothing; what is not
-   !> found of the second order is left out.
+   !> Find them about the steady state of the finest of `levels`. Without the first order nothing is found; missing
+   !> parts of the second order are left out.
    subroutine find(self, levels, surfaces, film, natural_frequency, steps_per_cell, is_found)
       class(known_waves_t), intent(out) :: self
       type(level_t), intent(inout), target :: levels(:)   !! coarsest first
-      type(surfaces_t), intent(in) :: surfaces            !! that move
+      type(surfaces_t), intent(in) :: surfaces            !! surfaces that move
       real(dp), intent(in) :: film                        !! smooth H(0,0) by which their amplitudes are known
       real(dp), intent(in) :: natural_frequency           !! Omega of the equation of motion; 0: force balance
       integer, intent(in) :: steps_per_cell               !! m for dT = hX/m
@@ -95,7 +95,7 @@ contains
       end do
    end subroutine find
 
-   !> State at T; with what `take_rest` took, near its time.
+   !> State at T; with the correction of `take_rest`, near its time.
    pure function state_at(self, t) result(state)
       class(known_waves_t), intent(in) :: self
       real(dp), intent(in) :: t
@@ -113,8 +113,8 @@ contains
       call self%limit(state)
    end function state_at
 
-   !> Limit a state near these waves to what can be: where the smooth pressure ends, P stays in the range of its smooth
-   !> neighbours.
+   !> Limit a state near these waves to physical values: where the smooth pressure ends, P stays in the range of its
+   !> smooth neighbours.
    pure subroutine limit(self, state)
       class(known_waves_t), intent(in) :: self
       type(state_t), intent(inout) :: state
@@ -149,8 +149,8 @@ contains
       end do
    end function to_second_order
 
-   !> Take what the last three solutions of a march on the grid of half as many cells have besides the waves known there
-   !> to second order.
+   !> Take from the last three solutions of a march on the grid with half as many cells the difference from the waves
+   !> known there to second order.
    subroutine take_rest(self, fine, coarse_grid, coarse, last, t, dt)
       class(known_waves_t), intent(inout) :: self
       type(grid_t), intent(in) :: fine, coarse_grid

@@ -22,9 +22,9 @@ module ehlwave_last_period
       procedure :: look_up
    end type last_period_t
 
-   integer, parameter :: most_samples = 32            !! of a period
-   integer, parameter :: points = 4                   !! of the interpolation in time
-   real(dp), parameter :: rounding = 1e-6_dp          !! of a number of steps
+   integer, parameter :: most_samples = 32            !! samples of a period
+   integer, parameter :: points = 4                   !! points of the interpolation in time
+   real(dp), parameter :: rounding = 1e-6_dp          !! rounding of a number of steps
 
 contains
 
@@ -32,7 +32,7 @@ contains
    subroutine begin(self, period, time_step, nx, ny)
       class(last_period_t), intent(inout) :: self
       real(dp), intent(in) :: period, time_step
-      integer, intent(in) :: nx, ny              !! of the grid
+      integer, intent(in) :: nx, ny              !! cells of the grid
       integer :: n
 
       self%samples = 0

@@ -1,5 +1,5 @@
 !> The interface of a keeper of marches: it stores the state of a march, so that another run of the program goes on with
-!> it. A march does not know where it is kept.
+!> it. The march is independent of the place of storage.
 module ehlwave_march_keeper
    use ehlwave_kinds, only: dp
    use ehlwave_time_march, only: march_t
@@ -15,7 +15,7 @@ module ehlwave_march_keeper
    end type march_keeper_t
 
    abstract interface
-      !> Take up a march that has just begun where an earlier run left it; without one it stays as it is.
+      !> Take up a march that has just begun where an earlier run left it; without an earlier run it stays unchanged.
       subroutine load_march(self, march)
          import :: march_keeper_t, march_t
          implicit none (type, external)
@@ -31,7 +31,7 @@ module ehlwave_march_keeper
          type(march_t), intent(in) :: march
       end subroutine keep_march
 
-      !> The case is stopped: what was remembered last must outlive this run.
+      !> The case is stopped: the last remembered state must outlive this run.
       subroutine save_march(self)
          import :: march_keeper_t
          implicit none (type, external)

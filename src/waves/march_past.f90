@@ -1,4 +1,4 @@
-!> A time march so far: what its next step starts from and is given.
+!> A time march so far: start and data of its next step.
 module ehlwave_march_past
    use ehlwave_assertions, only: assert, checks
    use ehlwave_first_guess, only: carried_share, carry_on, extrapolate, look_up, past_t
@@ -24,14 +24,14 @@ module ehlwave_march_past
       type(march_settings_t) :: settings
       type(march_result_t) :: result
       type(past_t) :: past
-      ! that it started in, see `start_in`; absent: it started from rest
+      ! State that it started in, see `start_in`; absent: it started from rest
       type(known_waves_t), allocatable, private :: waves
       type(last_period_t), private :: period               ! with `waves`
       real(dp), private :: start = 0           ! T before the first step
       real(dp), allocatable :: share(:, :)     !! see carried_share
       type(time_history_t) :: history
       real(dp), allocatable, private :: supply(:)   ! oil offered to the steady state, of a starved contact
-      type(given_t) :: given                   !! what the last solution was given
+      type(given_t) :: given                   !! data of the last solution
    contains
       procedure :: begin_past
       procedure :: start_in
@@ -67,7 +67,7 @@ contains
          if (allocated(given%supply)) allocate (self%supply(0:grid%ny), source=given%supply)
          call self%history%begin(problem, given, state)
          call self%history%carry(grid, given)
-         self%given = given   ! what the steady state would be given as a time step
+         self%given = given   ! data of the steady state as a time step
          given%load%force = settings%force
          self%past = past_t(state, state, state, state)
          self%share = carried_share(level)
@@ -78,7 +78,7 @@ contains
    !> After `begin`: start in waves at T = t, their pattern everywhere, in place of the smooth contact at 0.
    subroutine start_in(self, level, waves, t)
       class(march_past_t), intent(inout) :: self
-      type(level_t), intent(inout) :: level           !! that of `begin`
+      type(level_t), intent(inout) :: level           !! data of `begin`
       type(known_waves_t), intent(in) :: waves        !! found there
       real(dp), intent(in) :: t
       type(state_t) :: states(0:max(3, size(self%history%f, 3)))
@@ -109,7 +109,7 @@ contains
       level%state = self%past%before
    end subroutine restore
 
-   !> Give what the step to time t is given.
+   !> Provide the data of the step to time t.
    subroutine pose(self, grid, t, given)
       class(march_past_t), intent(in) :: self
       type(grid_t), intent(in) :: grid
@@ -140,7 +140,7 @@ contains
       end if
    end subroutine guess
 
-   !> Note the solution at time t, and keep what the next steps need of it.
+   !> Record the solution at time t, and keep the data of the next steps.
    subroutine keep(self, level, t)
       class(march_past_t), intent(inout) :: self
       type(level_t), intent(in) :: level
@@ -160,7 +160,7 @@ contains
       if (allocated(self%waves)) call self%period%keep(t, level%state)
    end subroutine keep
 
-   !> Write the solution at time t into the account as step k, and as the latest into what the differences in time use.
+   !> Record the solution at time t in the account as step k, and as the latest in the time differences.
    subroutine note(self, level, k, t)
       class(march_past_t), intent(inout) :: self
       type(level_t), intent(in) :: level

@@ -8,7 +8,7 @@ module ehlwave_march_result
 
    !> History of the contact centre and the account of the march.
    type, public :: march_result_t
-      integer :: status = status_converged     !! of the first step that failed, else converged
+      integer :: status = status_converged     !! status of the first failed step, else converged
       integer :: steps = 0                     !! steps done
       real(dp), allocatable :: time(:)         !! (0:steps) T
       real(dp), allocatable :: central_film(:) !! (0:steps) H(0,0,T)
@@ -32,7 +32,7 @@ contains
       allocate (self%time(0:steps), self%central_film(0:steps), self%approach(0:steps), source=0.0_dp)
    end subroutine begin
 
-   !> Write down a solution as that of step k, 0: the start.
+   !> Record a solution as step k, 0: the start.
    pure subroutine note(self, k, t, central_film, approach)
       class(march_result_t), intent(inout) :: self
       integer, intent(in) :: k
@@ -42,7 +42,7 @@ contains
       self%approach(k) = approach
    end subroutine note
 
-   !> Add the cost of a solution; its outcome is that of the march so far.
+   !> Add the cost of a solution; its outcome becomes the outcome of the march.
    pure subroutine count(self, report)
       class(march_result_t), intent(inout) :: self
       type(solve_report_t), intent(in) :: report

@@ -10,10 +10,10 @@ module ehlwave_march_settings
       type(surfaces_t) :: surfaces
       real(dp) :: film = 0                     !! smooth H(0,0)
       integer :: steps = 0                     !! number of time steps
-      integer :: cells_per_step = 1            !! dT = hX cells_per_step/steps_per_cell, one of them 1
+      integer :: cells_per_step = 1            !! dT = hX cells_per_step/steps_per_cell, at least one of them 1
       integer :: steps_per_cell = 1
       real(dp) :: natural_frequency = 0        !! Omega of the equation of motion; 0: force balance
-      real(dp) :: force = 1                    !! load from T > 0 on, over that of the steady state
+      real(dp) :: force = 1                    !! load from T > 0 on, over the steady load
       ! the oil offered changes by a factor at the inlet edge from a time on, for so long (0: to the end)
       real(dp) :: oil_factor = 1, oil_change_start = 0, oil_change_length = 0
    contains
@@ -24,9 +24,9 @@ module ehlwave_march_settings
    end type march_settings_t
 
    integer, parameter :: most_periods = 4              !! after which a solution is taken to repeat
-   real(dp), parameter :: many_steps = 24              !! of a period: six points interpolate 1e-5 of a wave between
+   real(dp), parameter :: many_steps = 24  !! steps of a period: six points interpolate 1e-5 of a wave between
                                                        !! them
-   real(dp), parameter :: whole = 1e-3_dp              !! of a step
+   real(dp), parameter :: whole = 1e-3_dp              !! share of a step
 
 contains
 
@@ -43,7 +43,7 @@ contains
       amplitude = self%surfaces%smallest_amplitude(self%film)
    end function amplitude
 
-   !> Oil offered at time t over that of the steady state.
+   !> Oil offered at time t over the steady supply.
    pure real(dp) function oil_share(self, t) result(share)
       class(march_settings_t), intent(in) :: self
       real(dp), intent(in) :: t
@@ -53,11 +53,11 @@ contains
       share = self%oil_factor
    end function oil_share
 
-   !> After what time a periodic solution repeats at a step of the march, or nearly so: of some periods the multiple
-   !> that is nearest to whole steps; a period that has many is interpolated between them as well.
+   !> Time after which a periodic solution repeats at a step of the march, or nearly so: the multiple of the period
+   !> nearest to whole steps. Long periods are interpolated between steps.
    pure real(dp) function repeat_time(self, grid)
       class(march_settings_t), intent(in) :: self
-      type(grid_t), intent(in) :: grid       !! that is marched
+      type(grid_t), intent(in) :: grid       !! grid of the march
       real(dp) :: steps(most_periods)
       integer :: n
 

@@ -17,7 +17,7 @@ module ehlwave_march_watcher
          implicit none (type, external)
          class(march_watcher_t), intent(inout) :: self
          type(level_t), intent(in) :: level
-         integer, intent(in) :: step       !! 0: what the march starts from
+         integer, intent(in) :: step       !! 0: the start of the march
          real(dp), intent(in) :: time      !! T
       end subroutine see_step
    end interface

@@ -1,12 +1,13 @@
-!> The change of the mean by small waves, to second order in their amplitude: one more linear solve, theory eq. (S7).
+!> The change of the mean by small waves, to second order in their amplitude: an additional linear solve, theory eq.
+!> (S7).
 !>
 !> With the steady state u0, the linear response u1 to a pattern of amplitude A, and J0 the Jacobian of the steady
 !> state,
 !>
 !>     u2 = -J0^(-1) < R(u0 + A Re(u1 exp(-i phi))) - R(u0) >,    the mean over phases phi.
 !>
-!> The derivative in time has no mean. Four phases are exact to second order; of a pattern that stands still they are
-!> four places of it along X. One that varies along Y only has the mean of crest and trough, two phases.
+!> The derivative in time has no mean. Four phases are exact to second order; a stationary pattern takes four places
+!> along X. A pattern that varies along Y only takes the mean of crest and trough, two phases.
 module ehlwave_mean_film
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_hierarchy, only: level_t
@@ -19,8 +20,8 @@ module ehlwave_mean_film
    private
    public :: find_mean_change
 
-   !> Of the linear residual: 1e-4 leaves 0.1 % of the rise in the median of 48 cases, but 26 % at M = 50, D = 0.12,
-   !> longitudinal, 2.8 a; 1e-5 leaves 0.4 % there, 1e-6 0.1 %. A step of GMRES each.
+   !> Tolerance of the linear residual: 1e-4 leaves 0.1 % of the rise in the median of 48 cases, but 26 % at M = 50,
+   !> D = 0.12, longitudinal, 2.8 a; 1e-5 leaves 0.4 % there, 1e-6 0.1 %. Each costs a GMRES step.
    real(dp), parameter :: tolerance = 1e-6_dp
 
    !> Amplitude over H(0,0) at which the mean residual is taken, before it is scaled with the square of the amplitude.
@@ -33,8 +34,8 @@ module ehlwave_mean_film
    type, public :: mean_change_t
       integer :: status = status_stalled   !! converged, stalled or not finite
       integer :: linear_steps = 0          !! GMRES steps
-      type(state_t) :: state               !! of P, H and Delta
-      real(dp) :: film = 0                 !! of H(0,0)
+      type(state_t) :: state               !! changes of P, H and Delta
+      real(dp) :: film = 0                 !! change of H(0,0)
       real(dp) :: smallest_film = 0        !! smallest H over all nodes and phases, to second order
       real(dp) :: smallest_at(2) = 0       !! its X and Y
    end type mean_change_t
@@ -44,7 +45,7 @@ contains
    !> Mean change by a pattern.
    subroutine find_mean_change(tangent, levels, response, waviness, amplitude, change)
       type(steady_tangent_t), intent(inout) :: tangent
-      type(level_t), intent(inout), target :: levels(:)   !! those of `tangent`
+      type(level_t), intent(inout), target :: levels(:)   !! levels of `tangent`
       type(harmonic_response_t), intent(in) :: response   !! converged, to this pattern
       type(waviness_t), intent(in) :: waviness
       real(dp), intent(in) :: amplitude                   !! Ai in units of c
@@ -71,7 +72,7 @@ contains
       end associate
    end subroutine find_mean_change
 
-   !> Right side: minus the mean over the phases of what waves change in the weighted residual; 0 at cavitated nodes, in
+   !> Right side: minus the mean over the phases of the waves' change of the weighted residual; 0 at cavitated nodes, in
    !> the load row and at flooded edges, whose pressure is small and changes by (h/H)^2 of it.
    subroutine mean_residual(tangent, level, response, phases, amplitude, b)
       type(steady_tangent_t), intent(inout) :: tangent

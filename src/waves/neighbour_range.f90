@@ -1,6 +1,6 @@
 !> Pressures held in the range of their neighbours.
 !>
-!> The steep end of the pressure moves by less than a cell from one state to the next, and an extrapolation or an
+!> The steep end of the pressure moves by less than a cell between successive states, and an extrapolation or an
 !> expansion across it would be off by half the Hertz pressure.
 module ehlwave_neighbour_range
    use ehlwave_kinds, only: dp
@@ -8,7 +8,7 @@ module ehlwave_neighbour_range
    private
    public :: held, neighbour_range
 
-   real(dp), parameter :: margin = 0.02_dp   !! of P beyond; measured: fewest Newton steps of first guesses between
+   real(dp), parameter :: margin = 0.02_dp  !! range of P beyond; measured: fewest Newton steps of first guesses between
                                              !! 0.005 and 0.05
 
 contains

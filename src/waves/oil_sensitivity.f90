@@ -1,7 +1,7 @@
 !> How film and response answer to the oil: derivatives by alpha and stress of the flow law, theory eq. (W10), (W11).
 !>
-!> Load, speed, geometry, E', viscosity at ambient pressure and all else of the oil stay as they are, so that of the
-!> dimensionless numbers only these change:
+!> Load, speed, geometry, E', viscosity at ambient pressure and the other properties of the oil are constant, so
+!> that only these dimensionless numbers change:
 !>
 !>     alpha    ln(eta/eta0) in proportion at every pressure; M, lambdabar, ph/p0 and N0 are fixed, L and alphabar in
 !>     proportion stress   tau0 of Ree-Eyring, G of Carreau: N0 as 1/stress
@@ -15,8 +15,8 @@
 !>     L du1/dx = -(dL/du du/dx + dL/dx) u1.
 !>
 !> Both right sides are centred differences of residuals, dR/dx at the state and the second along (du/dx, 1), with a
-!> step of 1e-5, of second order, which leaves about 1e-8 of the result. The nodes that are cavitated stay so. Of
-!> flooded edges the steady pressures and the load outside are differentiated, what waves change there is not.
+!> step of 1e-5, of second order, which leaves about 1e-8 of the result. Cavitated nodes stay cavitated. At flooded
+!> edges the steady pressures and the load outside are differentiated, not the changes by waves.
 module ehlwave_oil_sensitivity
    use ehlwave_conditions, only: conditions_t
    use ehlwave_harmonic_response, only: harmonic_response_t
@@ -33,16 +33,16 @@ module ehlwave_oil_sensitivity
 
    integer, parameter, public :: by_alpha = 1, by_stress = 2   !! x
 
-   real(dp), parameter :: step = 1e-5_dp   !! of x
+   real(dp), parameter :: step = 1e-5_dp   !! relative step of x
 
 contains
 
    !> du/dx of the steady state.
    subroutine differentiate_steady(tangent, levels, x, tolerance, change)
       type(steady_tangent_t), intent(inout) :: tangent
-      type(level_t), intent(inout), target :: levels(:)   !! those of `tangent`
+      type(level_t), intent(inout), target :: levels(:)   !! levels of `tangent`
       integer, intent(in) :: x                            !! `by_alpha` or `by_stress`; the oil depends on it
-      real(dp), intent(in) :: tolerance                   !! of the linear residual
+      real(dp), intent(in) :: tolerance                   !! tolerance of the linear residual
       type(tangent_change_t), intent(out) :: change
       real(dp), allocatable, target :: b(:)
       real(dp), pointer, contiguous :: r(:, :)

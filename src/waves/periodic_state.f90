@@ -1,4 +1,4 @@
-!> The periodic state of a contact with moving waves: a march that starts in what is known of them, from grid to grid.
+!> The periodic state of a contact with moving waves: a march that starts in the known waves, from grid to grid.
 module ehlwave_periodic_state
    use ehlwave_carried_change, only: carried_change_t, points
    use ehlwave_full_multigrid, only: full_multigrid_t
@@ -21,23 +21,23 @@ module ehlwave_periodic_state
    private
 
    !> The state that a march from rest reaches: on each grid a march starts in the linear response, the change of the
-   !> mean, and what the march on the next coarser grid found besides, and ends when the film upstream of the centre
+   !> mean, and the correction from the march on the next coarser grid, and ends when the film upstream of the centre
    !> repeats.
    type, public :: periodic_state_t
       type(march_t) :: march                  !! on the finest grid
-      type(solve_report_t) :: report          !! of its last step
+      type(solve_report_t) :: report          !! outcome of its last step
       logical :: is_found = .false.           !! it repeats
       real(dp) :: change = huge(1.0_dp)       !! largest of the film since a period or a few before, over A
       real(dp), private :: repeats = 0        ! the time between, T
-      integer :: nonlinear_steps = 0, linear_steps = 0   !! of all grids
+      integer :: nonlinear_steps = 0, linear_steps = 0   !! steps on all grids
    contains
       procedure :: find
       procedure :: at_times
    end type periodic_state_t
 
-   real(dp), parameter :: coarse_change = 1            !! of a film that repeats, on coarser grids, over that on the
+   real(dp), parameter :: coarse_change = 1  !! change of a film that repeats, on coarser grids, over the change on the
                                                        !! finest
-   real(dp), parameter :: coarse_tolerance = 3         !! of their time steps, over that on the finest
+   real(dp), parameter :: coarse_tolerance = 3  !! tolerance of their time steps, over the tolerance on the finest
    real(dp), parameter :: fewest_points = 16            !! mesh sizes on a wave
 
 contains
@@ -47,10 +47,10 @@ contains
    subroutine find(self, multigrid, settings, rescue, limits, largest_change, monitor)
       class(periodic_state_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout), target :: multigrid
-      type(march_settings_t), intent(in) :: settings   !! of a march from rest on the finest grid
-      type(rescue_t), intent(in) :: rescue             !! what the steady state has left of it
-      type(solve_limits_t), intent(in) :: limits       !! of a time step
-      real(dp), intent(in) :: largest_change           !! of a film that repeats, over A
+      type(march_settings_t), intent(in) :: settings   !! settings of a march from rest on the finest grid
+      type(rescue_t), intent(in) :: rescue             !! rescue of the steady state
+      type(solve_limits_t), intent(in) :: limits       !! limits of a time step
+      real(dp), intent(in) :: largest_change           !! change of a film that repeats, over A
       class(monitor_t), intent(inout) :: monitor
       type(known_waves_t) :: waves, coarse_waves
       type(march_settings_t) :: here
@@ -64,7 +64,7 @@ contains
       n = size(multigrid%levels)
       coarse = limits
       coarse%tolerance = coarse_tolerance*limits%tolerance
-      coarse%guess_share = 0   ! what a period left would stay
+      coarse%guess_share = 0   ! errors of a period would stay
       has_rest = .false.
       associate (main => settings%surfaces%list(settings%surfaces%main))
          t = main%start/main%slip   ! so that steps are where a march from rest has its own
@@ -102,7 +102,7 @@ contains
       end do
    end subroutine find
 
-   !> Let the waves of a level have what the march on the next coarser one found besides.
+   !> Give the waves of a level the correction from the march on the next coarser level.
    subroutine hand_up(march, coarse_waves, coarse, fine, waves)
       type(march_t), intent(in) :: march
       type(known_waves_t), intent(in) :: coarse_waves
@@ -158,11 +158,11 @@ contains
       class(periodic_state_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       integer, intent(in) :: l                         !! level
-      type(known_waves_t), intent(in) :: waves         !! of the level
-      type(march_settings_t), intent(in) :: settings   !! of a march from rest
+      type(known_waves_t), intent(in) :: waves         !! waves of the level
+      type(march_settings_t), intent(in) :: settings   !! settings of a march from rest
       real(dp), intent(in) :: start                    !! T
-      type(solve_limits_t), intent(in) :: limits       !! of a time step
-      real(dp), intent(in) :: tolerance                !! of `change`
+      type(solve_limits_t), intent(in) :: limits       !! limits of a time step
+      real(dp), intent(in) :: tolerance                !! tolerance of `change`
       class(monitor_t), intent(inout) :: monitor
       type(carried_change_t) :: carried
       logical :: is_finest

@@ -29,7 +29,7 @@ contains
    !> T). The solver is left with the operator of 2w.
    subroutine find_second_harmonic(solver, levels, first, frequency, natural_frequency, steps_per_cell, second)
       type(harmonic_solver_t), intent(inout) :: solver
-      type(level_t), intent(inout), target :: levels(:)   !! those of `solver`, coarsest first
+      type(level_t), intent(inout), target :: levels(:)   !! levels of `solver`, coarsest first
       type(harmonic_response_t), intent(in) :: first      !! u1, converged
       real(dp), intent(in) :: frequency                   !! w in units of 1/T
       real(dp), intent(in) :: natural_frequency           !! Omega of the equation of motion; 0: force balance

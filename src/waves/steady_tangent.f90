@@ -1,4 +1,4 @@
-!> A steady contact linearised about its solution: what a small change of its equations does to it.
+!> A steady contact linearised about its solution: its change for a small change of the equations.
 module ehlwave_steady_tangent
    use ehlwave_assertions, only: assert, checks
    use ehlwave_cycle_settings, only: diagonal_shift, newton_cycle
@@ -17,14 +17,14 @@ module ehlwave_steady_tangent
       type(state_t) :: state               !! change of P, H and Delta
       integer :: status = status_stalled   !! converged, stalled or not finite
       integer :: linear_steps = 0          !! GMRES steps
-      real(dp) :: reduction = 0            !! of the linear residual
+      real(dp) :: reduction = 0            !! reduction of the linear residual
    end type tangent_change_t
 
-   !> The linear system about a steady state, whose factors are kept from one right side to the next.
+   !> The linear system about a steady state, whose factors serve several right sides.
    type, public :: steady_tangent_t
       type(linearised_contact_t) :: linear
       type(state_t) :: state                        !! the steady state of smooth surfaces
-      type(given_t) :: given                        !! with which it is one, whatever a level is given
+      type(given_t) :: given                        !! data of the steady state, independent of the levels
       type(gmres_t), private :: gmres
       logical, private :: is_factorised = .false.   ! without a diagonal shift
    contains
@@ -67,10 +67,10 @@ contains
    !> Change of the state whose weighted residuals change by b, with the cavitated nodes as they are.
    subroutine solve(self, levels, b, tolerance, change, in_single)
       class(steady_tangent_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: levels(:)   !! those of `init`: their deformation is used
+      type(level_t), intent(inout), target :: levels(:)   !! levels of `init`: their deformation is used
       real(dp), intent(in), contiguous :: b(:)            !! (linear%n), 0 at cavitated nodes; at flooded edges in units
                                                           !! of P
-      real(dp), intent(in) :: tolerance                   !! of the linear residual
+      real(dp), intent(in) :: tolerance                   !! tolerance of the linear residual
       type(tangent_change_t), intent(out) :: change
       logical, intent(in), optional :: in_single          !! products, whose convolutions are good to 1e-7 then
       real(dp), allocatable, target :: x(:)

@@ -13,7 +13,7 @@ module ehlwave_time_history
    !> Latest first.
    type, public :: time_history_t
       real(dp), allocatable :: f(:, :, :)      !! rho H of the steps before, (0:nx, 0:ny, steps); of a starved contact
-                                               !! what `carry_content` takes
+                                               !! the data of `carry_content`
       real(dp) :: approach(3) = 0              !! Delta of the steps before
    contains
       procedure :: begin
@@ -24,7 +24,7 @@ module ehlwave_time_history
 
 contains
 
-   !> That of a contact which has been as it is for ever.
+   !> Begin the history of a contact at rest.
    subroutine begin(self, problem, given, state)
       class(time_history_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
@@ -40,7 +40,7 @@ contains
       self%approach = state%delta
    end subroutine begin
 
-   !> That of a contact which has gone through some states.
+   !> Take the history of a contact through several states.
    subroutine take(self, problem, states)
       class(time_history_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem

@@ -1,4 +1,4 @@
-!> March in time of one contact with moving waviness, from the smooth steady state.
+!> Time march of a contact with moving waviness, from the smooth steady state.
 module ehlwave_time_march
    use ehlwave_clock, only: wall_seconds
    use ehlwave_energy, only: energy_t
@@ -16,19 +16,19 @@ module ehlwave_time_march
    implicit none (type, external)
    private
 
-   !> Steps between two points where the march can be taken up again, bit for bit: solvers keep nothing from one
-   !> solution to the next.
+   !> Steps between two restart points, where the march resumes bit for bit: solvers keep nothing between solutions.
    integer, parameter, public :: steps_per_stretch = 32
 
-   integer, parameter :: heat_rounds = 1    !! of temperatures and film after the first solution of a step: it leaves up
+   integer, parameter :: heat_rounds = 1    !! rounds of temperatures and film after the first solution of a step: it
+                                            !! leaves up
                                             !! to 0.0005 of Ai against four, the step 0.002 against half of it
-   real(dp), parameter :: looser = 30       !! tolerance of that solution, over that of the step
+   real(dp), parameter :: looser = 30       !! tolerance of that solution, over the tolerance of the step
 
    !> A march under way: everything that its next step depends on, besides the level and its problem.
    type, extends(march_past_t), public :: march_t
       integer, private :: l = 0                !! level that is marched
       type(rescue_t) :: rescue                 !! its account goes on from step to step
-      type(energy_t), allocatable :: energy    !! that carries temperatures on; absent: they are held, if there are any
+      type(energy_t), allocatable :: energy    !! energy equation of the temperatures; absent: they are held, if any
    contains
       procedure :: begin
       procedure :: advance
@@ -45,8 +45,8 @@ contains
       class(march_t), intent(inout) :: self
       type(level_t), intent(inout) :: levels(:)
       type(march_settings_t), intent(in) :: settings
-      type(rescue_t), intent(in) :: rescue     !! what the steady state has left of it
-      type(energy_t), intent(in), optional :: energy   !! of the steady state, if temperatures are to be carried on
+      type(rescue_t), intent(in) :: rescue     !! rescue of the steady state
+      type(energy_t), intent(in), optional :: energy   !! energy equation of the steady state, if temperatures change
 
       self%l = size(levels)
       self%rescue = rescue
@@ -83,10 +83,10 @@ contains
       end do
    end subroutine advance
 
-   !> One time step.
+   !> A time step.
    !>
-   !> One that fails from the extrapolated guess is left to `rescue`; when that fails too the march ends and says
-   !> so. The level holds the last solution reached.
+   !> A step that fails from the extrapolated guess goes to `rescue`; if that fails too the march ends with its
+   !> status. The level holds the last solution reached.
    subroutine take_step(self, multigrid, limits)
       class(march_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
@@ -109,8 +109,8 @@ contains
       end associate
    end subroutine take_step
 
-   !> One time step whose film and temperatures take turns. The film that only temperatures follow from is solved for
-   !> loosely.
+   !> A time step that alternates between film and temperatures. Films that only serve temperatures have a loose
+   !> tolerance.
    subroutine carry_heat(self, multigrid, limits)
       class(march_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout), target :: multigrid
@@ -128,7 +128,7 @@ contains
          call self%energy%weigh(problem, level%state)
          worst = [self%result%worst_residual, self%result%worst_load_error]
          call solve_step(self, multigrid, loose)
-         if (self%result%status == status_converged) then   ! those of the steps alone count
+         if (self%result%status == status_converged) then   ! only the cost of the steps counts
             self%result%worst_residual = worst(1)
             self%result%worst_load_error = worst(2)
          end if
@@ -151,7 +151,7 @@ contains
       end associate
    end subroutine carry_heat
 
-   !> One time step and its account.
+   !> A time step and its account.
    subroutine solve_step(self, multigrid, limits)
       class(march_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from studies.programs import MPI_ENVIRONMENT, program
 
-LONGEST_S = float(os.environ.get("EHLWAVE_LONGEST", "10"))   # of the processor, whatever else the machine does
+LONGEST_S = float(os.environ.get("EHLWAVE_LONGEST", "10"))   # processor time, whatever else the machine does
 LARGEST_MIB = 1024
 LONGEST_LINE = 2200
 REFUSED = 2
@@ -28,7 +28,7 @@ class Outcome:
     memory_mib: float
 
     def faults(self):
-        """What no input may lead to."""
+        """List the faults that no input may cause."""
         found = []
         if self.status < 0 or self.status > 127:
             found.append(f"ended by signal or launcher: {self.status}")
@@ -76,6 +76,6 @@ def attack(name, *arguments, folder, stdout=None, limit_s=None):
 
 
 def _small_stack():
-    """What most systems give."""
+    """Set the usual limit of systems."""
     resource.setrlimit(resource.RLIMIT_STACK, (8*2**20, resource.getrlimit(resource.RLIMIT_STACK)[1]))
     resource.setrlimit(resource.RLIMIT_CORE, (0, resource.getrlimit(resource.RLIMIT_CORE)[1]))

@@ -22,13 +22,13 @@ EVERY_TIME = 1000000
 
 
 class BadDays(Faults):
-    """Bad days one after the other in a folder."""
+    """Bad days in turn in a folder."""
 
     modes = ("launcher killed", "locks refused", "results held open")
     variables = ONE_RANK
 
     def disturb_by(self, mode):
-        """One more bad day of a mode; exit status of the run."""
+        """Run a further bad day of a mode; return the exit status of the run."""
         place, status, text = {"launcher killed": self.kill_launcher, "locks refused": self.refuse_locks,
                                "results held open": self.hold_results}[mode]()
         self.counts["faults"] += 1

@@ -1,4 +1,4 @@
-"""Folders full of files under drawn names, and what a command changed in them that it may not change.
+"""Folders full of files under drawn names, and forbidden changes by a command.
 
 A test makes a `Scene` with its random generator, lets a command loose on names that `Scene.path` draws, and asks `Scene.damage`:
 nothing that existed and is not a result of the programs may change (content, type, target of a link, mode) or vanish.
@@ -43,9 +43,9 @@ def _digest(path):
 
 
 class Scene:
-    """A folder with inputs, results, and what else may stand beside them, under drawn names.
+    """A folder with inputs, results, and other files beside them, under drawn names.
 
-    `inputs` and `results` map names to a file or a folder that is copied; results are what a command may replace or remove.
+    `inputs` and `results` map names to a file or a folder that is copied; a command may replace or remove results only.
     """
 
     def __init__(self, folder, random, inputs, results=None, suffixes=(".h5", ".csv", ".txt", ".store", "")):
@@ -75,7 +75,7 @@ class Scene:
         return Path(self.random.choice(["", "", "sub", "sub/deep"]))
 
     def _name(self):
-        """A new name, often one that is nearly that of an input or a result."""
+        """A new name, often close to the name of an input or a result."""
         random = self.random
         stem = random.choice(["r", "out", "a b", "case", "0123456789abcdef", *[Path(name).stem for name in self.inputs]])
         if random.random() < 0.2:
@@ -141,7 +141,7 @@ class Scene:
                             b"kept\n")
 
     def spoil(self, store):
-        """Put something into a store that is none of ours: a file, or a link in place of one of its folders."""
+        """Put a foreign entry into a store: a file, or a link in place of one of its folders."""
         store, random = self.folder/store, self.random
         part = store/random.choice(["records", "fields", "checkpoints", ".", "cases", "defaults", "lock", "store"])
         if random.random() < 0.5 and part.is_dir():
@@ -152,7 +152,7 @@ class Scene:
         self._before = snapshot(self.folder)
 
     def path(self):
-        """What a user may type: an existing name or a new one, in one of its spellings."""
+        """A path as typed by a user: an existing name or a new one, in any spelling."""
         random = self.random
         name = random.choice(self.existing()) if random.random() < 0.6 else str(self._place()/self._name())
         if random.random() < 0.15:
@@ -164,7 +164,7 @@ class Scene:
                 "case": name.swapcase()}[spelling]
 
     def damage(self, allowed=None):
-        """What existed and is not a result, and is not as it was: lines that name it. A file `allowed` may be replaced."""
+        """List changed files that existed and are no results. A file `allowed` may be replaced."""
         after = snapshot(self.folder)
         if allowed is not None:
             allowed = os.path.relpath(os.path.join(os.path.realpath(self.folder/os.path.dirname(allowed)), os.path.basename(allowed)),

@@ -1,4 +1,4 @@
-"""What tests of the programs share; how these are run is in ``studies.programs`` of postprocess."""
+"""Shared parts of tests of the programs, which ``studies.programs`` of postprocess runs."""
 
 import math
 import os

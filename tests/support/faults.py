@@ -1,9 +1,8 @@
-"""Runs of a sweep in which one call of the system goes wrong; needs EHLWAVE_SWEEP and EHLWAVE_FAULTS, the preloaded library.
+"""Runs of a sweep in which a system call fails; needs EHLWAVE_SWEEP and EHLWAVE_FAULTS, the preloaded library.
 
-Each starts from the same store, in which half of the cases are done. The run may end with any status of its own, in time; what
-the store held it holds; what it says it has done is right; and the next run, undisturbed, ends with the same bits as if
-nothing had been.
-"""
+Each starts from the same store, in which half of the cases are done. The run may end with any status of its own, in
+time; the store keeps its content; reported work is right; and the next run, undisturbed, ends with the bits of an
+undisturbed sweep. """
 
 import errno
 import os
@@ -21,7 +20,7 @@ FINISHED = (0, 1)
 ERRORS = {"open": [errno.EIO, errno.EACCES, errno.ENOSPC, errno.EMFILE], "read": [errno.EIO, 0], "fsync": [errno.EIO, 0],
           "write": [errno.EIO, errno.ENOSPC, errno.EINTR, 0], "rename": [errno.EIO, errno.EACCES, errno.ENOSPC],
           "unlink": [errno.EIO, errno.EACCES], "mkdir": [errno.ENOSPC, errno.EACCES]}
-# a part of it is long enough for a checkpoint, one has fields
+# a part of it is long enough for a checkpoint, another has fields
 HALF = {"sweep": {"load_parameter_m": [100, 120], "lubricant_parameter_l": 12.05, "radius_ratio_d": 1, "orientation": "transverse",
                   "wavelength_over_a": [1, 2], "output": "results.h5", "checkpoint_seconds": 0},
         "grid": {"cells_x": 32, "cells_y": 32}, "output": {"fields": True}}
@@ -29,9 +28,9 @@ WHOLE = {**HALF, "sweep": {**HALF["sweep"], "load_parameter_m": [100, 120, 140, 
 
 
 class Faults:
-    """Faults one after the other in a folder."""
+    """Faults in turn in a folder."""
 
-    variables = {}   # of the environment, besides those of MPI
+    variables = {}   # variables of the environment, besides MPI's
 
     def __init__(self, folder, seed, circumstances):
         self.folder, self.random, self.circumstances = Path(folder), random.Random(seed), circumstances
@@ -76,7 +75,7 @@ class Faults:
         return int(count.read_text().split()[0])
 
     def disturb(self):
-        """One more fault, of a random call, with a random error, once or for a while."""
+        """A fault of a random call, with a random error, once or for a while."""
         call = self.random.choices(list(ERRORS), [min(1 + self.calls[one], 12) for one in ERRORS])[0]
         number = self.random.randint(1, max(1, self.calls[call]))
         times = self.random.choice([1, 1, 1, 3, 1000000])
@@ -94,7 +93,7 @@ class Faults:
         self.messages.append(f"{kind}: {fault}: {what}")
 
     def judge(self, fault, place, status, text):
-        """Whether the run and the one after it did as they should."""
+        """Whether the run and the next behaved correctly."""
         if status is None:
             return self.fail("hung", fault, "")
         if status not in OWN_STATUS:
@@ -116,7 +115,7 @@ class Faults:
         return None
 
     def differs(self, place):
-        """What is not as in a run without faults, else None."""
+        """Return the difference from a run without faults, else None."""
         data = read(place/"results.h5")[1]
         if set(data) != set(self.expected):
             return f"columns {set(data) ^ set(self.expected)}"

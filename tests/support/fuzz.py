@@ -1,10 +1,9 @@
 """Mutated inputs for everything that reads a file.   python3 fuzz.py [--inputs N] [--seconds S] [--seed N] [TARGET...]
 
 Targets: case, sweep, table (CSV of cases), record (a log of a store), surface (HDF5) in the program of fuzz_target.f90, named
-by EHLWAVE_FUZZ_TARGET; trace (what `ehlwave surface` reads) in Python. Inputs are mutations of a corpus: what follows
-here and the inputs of the repository. Whatever is read, the process must go on, answer within 10 s and stay below 1 GiB. What
-breaks that is kept in the present folder as fuzz-TARGET-NUMBER.
-"""
+by EHLWAVE_FUZZ_TARGET; trace (input of `ehlwave surface`) in Python. Inputs are mutations of a corpus: the samples
+below and the inputs of the repository. For any input the process must go on, answer within 10 s and stay below 1 GiB.
+Inputs that break this are kept in the present folder as fuzz-TARGET-NUMBER. """
 
 import argparse
 import os
@@ -18,11 +17,11 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-LONGEST_S = float(os.environ.get("EHLWAVE_LONGEST", "10"))   # of the processor, whatever else the machine does
+LONGEST_S = float(os.environ.get("EHLWAVE_LONGEST", "10"))   # processor time, whatever else the machine does
 HANGS_S = 60*LONGEST_S   # by the clock
 LARGEST_MIB = int(os.environ.get("EHLWAVE_LARGEST_MIB", "1024"))
 FRESH = 5000   # inputs of a process: HDF5 keeps something of every damaged file, and takes longer over each
-PLACE = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None   # of the inputs
+PLACE = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None   # place of the inputs
 TARGETS = ("case", "sweep", "table", "record", "surface", "trace")
 
 TOKENS = [b"&", b"/", b"=", b",", b"'", b'"', b"!", b"(", b"*", b"\n", b"\r", b"\0", b" ", b"\t", b"\x1b", b"\xff", b"\xef\xbb\xbf",
@@ -54,14 +53,14 @@ class Mutator:
         self.corpus, self.random = corpus, random.Random(seed)
 
     def next(self):
-        """One more input."""
+        """A further input."""
         data = bytearray(self.random.choice(self.corpus))
         for _ in range(min(12, 1 + int(self.random.expovariate(0.4)))):
             self.mutate(data)
         return bytes(data[:2**20])
 
     def mutate(self, data):
-        """Change a text in one way."""
+        """Change a text in a random way."""
         chance = self.random
         at = chance.randrange(len(data) + 1)
         length = min(len(data) - at, int(chance.expovariate(1/8)) + 1)
@@ -89,7 +88,7 @@ class Mutator:
             piece = data[begin:begin + length]
             del data[begin:begin + length]
             data[at:at] = piece
-        else:   # a number becomes another one
+        else:   # a number changes
             digits = [i for i, byte in enumerate(data) if 48 <= byte <= 57]
             if digits:
                 data[chance.choice(digits)] = 48 + chance.randrange(10)
@@ -108,13 +107,13 @@ def with_checksums(data):
 
 
 class Target:
-    """One reader and the file that it reads."""
+    """A reader and the file that it reads."""
 
     def __init__(self, name, folder, seed):
         self.name, self.folder = name, Path(folder)
         self.process = None
         self.kind, self.path, corpus = getattr(self, "prepare_" + name)()
-        self.words = self.kind.split() if " " in self.kind else [self.kind, self.path]   # what the program is told
+        self.words = self.kind.split() if " " in self.kind else [self.kind, self.path]   # words passed to the program
         self.mutator = Mutator(corpus, seed)
         self.recode = name == "record"
         self.answers = {}
@@ -162,7 +161,7 @@ class Target:
                                         stdout=subprocess.PIPE, stderr=(self.folder/"errors").open("wb"))
 
     def visit(self):
-        """Have the present input read. Returns what went wrong, else None."""
+        """Have the present input read. Returns the failure, else None."""
         if self.process is None:
             self.start()
         begin = self.cpu()
@@ -207,7 +206,7 @@ class Target:
 
 
 class Traces(Target):
-    """What the Python package reads; it may raise SurfaceError and nothing else."""
+    """Readers of the Python package; they may raise SurfaceError only."""
 
     def prepare_trace(self):
         import io
@@ -248,7 +247,7 @@ class Traces(Target):
             word = "read"
         except SurfaceError:
             word = "refused"
-        except Exception as error:   # noqa: BLE001 - this is what is looked for
+        except Exception as error:   # noqa: BLE001 - the search is for these
             return f"raises {type(error).__name__}: {error}"
         self.answers[word] = self.answers.get(word, 0) + 1
         seconds = time.process_time() - begin
@@ -256,7 +255,7 @@ class Traces(Target):
 
 
 def fuzz(name, inputs, seed, seconds=float("inf"), keep=None, say=print):
-    """Make and read inputs. Returns their number and the list of what went wrong."""
+    """Make and read inputs. Returns their number and a list of failures."""
     faults = []
     with tempfile.TemporaryDirectory(dir=PLACE) as folder:
         target = (Traces if name == "trace" else Target)(name, folder, seed)

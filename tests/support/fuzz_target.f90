@@ -1,5 +1,5 @@
-!> Reads files that a fuzzer has made: for each line "KIND PATH" of standard input, or once for these two arguments, one line
-!> of output.
+!> Reads files that a fuzzer has made: for each line "KIND PATH" of standard input, or once for these two arguments, a
+!> line of output.
 !>
 !>     case     a case file, completed and planned
 !>     sweep    a sweep file, with all its cases

@@ -1,8 +1,8 @@
 """Whether a process that works on many cases grows.   python3 growth.py [--responses N] [--marches N] [--folder DIR]
 
 Linear responses, then marches, on small grids and at conditions of their own, by two ranks: resident memory and open files of the
-second while the last 90 % of its cases are computed, against what they were at 10 %. The first also holds the table and the results.
-"""
+second while the last 90 % of its cases are computed, against their values at 10 %. The first also holds the table and
+the results. """
 
 import argparse
 import os
@@ -36,7 +36,7 @@ def process_of(log):
 
 
 def samples_of(process, log):
-    """Samples (size of log, KiB, files) of the process that writes a log, until the one that started it ends."""
+    """Samples (size of log, KiB, files) of the process that writes a log, until its parent ends."""
     samples = []
     while process.poll() is None:
         time.sleep(0.05)
@@ -48,7 +48,7 @@ def samples_of(process, log):
 
 
 def growth(samples):
-    """Of samples (size of log, KiB, files) after 10 % of the log: KiB and files at first, and by how much they grow."""
+    """Growth of samples (size of log, KiB, files) after 10 % of the log: KiB and files at first, and their growth."""
     late = [sample for sample in samples if 0.1*samples[-1][0] < sample[0]]
     assert len(late) > 5, "too few samples"
     last = late[len(late)//2:]   # files that are open for a moment do not stay so

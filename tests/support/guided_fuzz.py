@@ -1,8 +1,8 @@
 """Inputs that reach new branches of the readers, found by AFL++.   python3 guided_fuzz.py [--seconds S] [--keep DIR] [TARGET...]
 
 The targets of fuzz.py that are Fortran, with the same corpora, in the program that EHLWAVE_FUZZ_TARGET names, built so that AFL++
-sees its branches. What ends the process, hangs for 10 s or asks for more than 1 GiB stays in DIR/TARGET/default/crashes and hangs.
-"""
+sees its branches. Inputs that end the process, hang for 10 s or need more than 1 GiB stay in DIR/TARGET/default/crashes
+and hangs. """
 
 import argparse
 import os
@@ -32,7 +32,7 @@ def post_process(data):
 
 
 def guided_fuzz(name, seconds, keep):
-    """Fuzz one target. Returns the statistics of afl-fuzz."""
+    """Fuzz a target. Returns the statistics of afl-fuzz."""
     with tempfile.TemporaryDirectory(dir=PLACE) as folder:
         target = Target(name, folder, seed=0)
         begin = Path(folder, "corpus")

@@ -1,4 +1,4 @@
-!> Lists what the namelist reader finds in files: for each path of standard input one line of output, either
+!> Lists the entries that the namelist reader finds in files: for each path of standard input a line of output, either
 !>
 !>     refused MESSAGE
 !>     read & GROUP LINE = KEY LINE w|q LINE TEXT REAL WHOLE TRUTH ...
@@ -58,7 +58,7 @@ contains
       write (output_unit, '(a)') ''
    end subroutine list_file
 
-   !> One value in each kind.
+   !> A value of each kind.
    function listed(value) result(line)
       type(value_t), intent(in) :: value
       character(len=:), allocatable :: line

@@ -1,4 +1,4 @@
-"""A Slurm of one's own: two nodes on loopback, without systemd, in a folder that holds everything it writes."""
+"""A private Slurm: two nodes on loopback, without systemd, in a folder with all its files."""
 
 import getpass
 import os
@@ -48,12 +48,12 @@ JobCompType=jobcomp/none
 
 
 def missing():
-    """What is not installed; empty when a Slurm can be started."""
+    """Missing programs; empty when a Slurm can be started."""
     return [name for name in PROGRAMS if not shutil.which(name)]
 
 
 class PrivateSlurm:
-    """Started by `start`, ended by `stop`; `environment` is what sbatch and the others need."""
+    """Started by `start`, ended by `stop`; `environment` holds the variables for sbatch and the other commands."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
@@ -93,7 +93,7 @@ class PrivateSlurm:
                               cwd=cwd).stdout
 
     def stop(self):
-        """Cancel what runs and end the daemons that `start` started."""
+        """Cancel running jobs and end the daemons that `start` started."""
         self.call("scancel", "-u", getpass.getuser(), check=False)
         time.sleep(1)
         for path in [*sorted(self.folder.glob("slurm*.pid"), reverse=True), self.folder/"munge"/"pid"]:

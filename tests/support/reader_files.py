@@ -1,4 +1,4 @@
-"""Files for the readers of input files: written by hand, with what becomes of them, and drawn."""
+"""Files for the readers of input files: written by handwith their outcomes, and drawn."""
 
 import random
 
@@ -48,7 +48,7 @@ class Drawing:
         self.random = random.Random(seed)
 
     def next(self):
-        """One more file."""
+        """A further file."""
         draw = self.random
         oddness = draw.choice([0, 0, 0.01, 0.05])
         parts = ["\ufeff"] if draw.random() < 0.1 else []
@@ -74,7 +74,7 @@ class Drawing:
         return draw.choice(["", "-", "+"]) + digits[:point] + draw.choice([".", ""]) + digits[point:] + draw.choice(["", exponent])
 
     def blank(self, oddness, chance):
-        """A separator, at times nothing, rarely what does not belong there."""
+        """A separator, at times nothing, rarely a wrong character."""
         draw = self.random
         if draw.random() < oddness:
             return draw.choice(ODD)

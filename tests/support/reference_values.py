@@ -13,7 +13,7 @@ def rows(name):
 
 
 def case_groups(row):
-    """Input groups of the contact of a row; its grid has one cell less than points."""
+    """Input groups of the contact of a row; its grid has a cell less than points."""
     cells = int(row["points"]) - 1
     return {"m": row["load_parameter_m"], "l": row["lubricant_parameter_l"], "d": row["radius_ratio_d"],
             "grid": {"cells_x": cells, "cells_y": cells}}

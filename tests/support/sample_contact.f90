@@ -31,7 +31,7 @@ contains
       if (allocated(error)) error stop 'make_conditions: '//error%message
    end function make_conditions
 
-   !> The default lubricant, or one with another viscosity law, in a contact.
+   !> A contact with the default lubricant or another viscosity law.
    function make_rheology(conditions, viscosity_law) result(rheology)
       type(conditions_t), intent(in) :: conditions
       character(len=*), intent(in), optional :: viscosity_law
@@ -55,7 +55,7 @@ contains
       rheology = new_rheology(viscosity, density, hertz_pressure_pa)
    end function rheology_of
 
-   !> What the step is given that follows a state at rest, with a wave in the gap.
+   !> Data of the step that follows a state at rest, with a wave in the gap.
    subroutine start_time_step(problem, state, given)
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
@@ -82,7 +82,7 @@ contains
                         make_rheology(conditions, viscosity_law))
    end subroutine make_contact
 
-   !> A level of its own with that contact, and what its steady state is given.
+   !> A separate level with that contact, and the data of its steady state.
    subroutine make_level(level, m, d, cells, is_half)
       type(level_t), intent(inout) :: level
       real(dp), intent(in) :: m, d

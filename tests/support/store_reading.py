@@ -6,7 +6,7 @@ from pathlib import Path
 
 
 def records(path):
-    """Good records of one log, in order; damaged lines are passed over."""
+    """Good records of a log, in order; damaged lines are skipped."""
     found = []
     for line in Path(path).read_bytes().split(b"\n")[:-1]:
         parts = line.split(b" ", 2)

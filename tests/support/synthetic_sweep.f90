@@ -21,7 +21,7 @@ module synthetic_case
 
 contains
 
-   !> Stands for run_case.
+   !> Substitute for run_case.
    subroutine sleep_through(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
@@ -61,8 +61,8 @@ end module synthetic_case
 !>     mpirun -n RANKS synthetic_sweep CASES SECONDS OUTPUT.h5
 !>
 !> CASES cases over M, wavelength and orientation; a case sleeps (so that there may be more ranks than cores) a time
-!> in proportion to the cost of its plan, times a lognormal factor that the plan does not know; SECONDS is the mean,
-!> 0: no time at all. Prints the wall time, that of the cases alone, and what lies between.
+!> in proportion to the cost of its plan, times a lognormal factor unknown to the plan; SECONDS is the mean, 0: no
+!> time at all. Prints the wall time, the time of the cases alone, and the difference.
 program synthetic_sweep
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_case_completion, only: complete_case
@@ -144,7 +144,7 @@ contains
 
    subroutine report(wall_s, cases_s, all_cpu_s)
       real(dp), intent(in) :: wall_s, cases_s
-      real(dp), intent(in) :: all_cpu_s   !! of all ranks, waiting for messages included
+      real(dp), intent(in) :: all_cpu_s   !! processor time of all ranks, waiting for messages included
       write (output_unit, '(a)') 'synthetic '//to_text(cases)//' cases, '//to_text(ranks)//' ranks: '//to_text(wall_s, 4)// &
          ' s wall, '//to_text(cases_s, 4)//' s in cases, efficiency '//to_text(cases_s/(ranks*wall_s), 4)// &
          '; per case '//to_text(1e3_dp*wall_s/cases, 4)//' ms wall, '//to_text(1e3_dp*(wall_s*ranks - cases_s)/cases, 4)// &

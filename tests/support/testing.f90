@@ -1,4 +1,4 @@
-!> Counts checks and stops with an error when one failed.
+!> Counts checks and stops with an error after a failure.
 !>
 !>     type(test_t) :: test
 !>     call test%check(n > 0, 'there are points')
@@ -17,7 +17,7 @@ module testing
    type :: test_t
       integer :: passed = 0, failed = 0
       logical :: is_quiet = .false.                    !! do not print failures; for the test of this module
-      character(len=:), allocatable :: last_failure    !! what was printed last
+      character(len=:), allocatable :: last_failure    !! text printed last
    contains
       procedure :: check
       generic :: check_close => check_close_scalar, check_close_list
@@ -48,8 +48,8 @@ contains
       call self%compare(condition, what, 'false', 'true')
    end subroutine check
 
-   !> |value - expected| <= max(relative*|expected|, absolute). Fails on NaN, on infinities (equal ones
-   !> too), without a tolerance and with one that is negative or not finite.
+   !> |value - expected| <= max(relative*|expected|, absolute). Fails on NaN, on infinities (also equal), without a
+   !> tolerance and with a negative or infinite tolerance.
    subroutine check_close_scalar(self, value, expected, what, relative, absolute)
       class(test_t), intent(inout) :: self
       real(dp), intent(in) :: value, expected
@@ -59,7 +59,7 @@ contains
                         to_text(expected)//tolerance_text(relative, absolute))
    end subroutine check_close_scalar
 
-   !> As for one number, for each of a list that is not empty; counts as one check.
+   !> Check each of a list that is not empty as a number; counts as a single check.
    subroutine check_close_list(self, value, expected, what, relative, absolute)
       class(test_t), intent(inout) :: self
       real(dp), intent(in) :: value(:), expected(:)

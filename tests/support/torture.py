@@ -4,8 +4,7 @@
 
 Needs EHLWAVE_SWEEP (the program) and EHLWAVE_MPIEXEC; for faults EHLWAVE_FAULTS, see faults.py. A disturbance is kill -9 of a
 random rank or of mpirun, SIGTERM or SIGUSR1 to one of them, or a full disk. After each, the store must be readable and hold at
-least what it held before. A sweep that is over begins anew until there were as many as asked for.
-"""
+least its earlier content. A finished sweep begins anew until the number of disturbances is reached. """
 
 import argparse
 import functools
@@ -41,7 +40,7 @@ def sweep_groups(cases):
 
 
 class Torture:
-    """One sweep under attack in a folder of its own."""
+    """A sweep under attack in a folder of its own."""
 
     def __init__(self, folder, cases, ranks, disturbances, seed, say=print):
         self.folder, self.ranks, self.say = Path(folder), ranks, say
@@ -152,7 +151,7 @@ class Torture:
         return kind
 
     def check_store(self):
-        """What was stored before is stored still; nothing that can be read is broken."""
+        """Check that stored cases are still stored, and that readable files are intact."""
         store = self.disk/"results.store"
         if not store.exists():
             return
@@ -202,7 +201,7 @@ class Torture:
 
 
 def _descendants(pid):
-    """Processes below one, the ranks of a local mpirun."""
+    """Child processes, the ranks of a local mpirun."""
     found = []
     for task in Path(f"/proc/{pid}/task").glob("*/children") if Path(f"/proc/{pid}").exists() else []:
         try:

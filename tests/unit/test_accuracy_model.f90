@@ -1,4 +1,4 @@
-!> Expected errors and costs behave as their formulas say.
+!> Expected errors and costs follow their formulas.
 program test_accuracy_model
    use ehlwave_accuracy_model, only: expected_film_error, expected_ratio_error, largest_mesh, points_for, &
       steady_work_units, step_work_units

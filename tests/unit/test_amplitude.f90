@@ -1,4 +1,4 @@
-!> Amplitude from samples and from the harmonic fit, and what of it has not settled.
+!> Amplitude from samples and from the harmonic fit, and its unsettled part.
 program test_amplitude
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_amplitude, only: fit_misfit, fitted_harmonic, fitted_harmonics, fitted_mean, sampled_amplitude
@@ -46,7 +46,7 @@ contains
       call test%check_close(abs(fitted_harmonic(time, film, 1.0_dp)), 0.3_dp, 'orthogonal', relative=1e-13_dp)
    end subroutine check_higher_harmonics
 
-   !> Two waves at once, over no whole number of their periods: each with its amplitude and phase, as one alone.
+   !> Two waves at once, over no whole number of their periods: each with its amplitude and phase, as a single wave.
    subroutine check_two_waves()
       real(dp) :: film(40), time(40)
       real(dp), parameter :: periods(2) = [0.73_dp, 1.1_dp]
@@ -72,10 +72,10 @@ contains
                             0.0_dp, 'a constant film', absolute=1e-15_dp)
    end subroutine check_few_samples
 
-   !> A wave that settles, or about which a contact swings, is off by no more than is told, whatever the phase; a wave that
-   !> has settled by nothing, and one that is drowned in a drift of the mean by more than all of it.
+   !> Error of a settling wave, or of a swinging contact, is at most the estimate, whatever the phase. The estimate
+   !> vanishes for a settled wave; it is the full amplitude where a drift of the mean hides the wave.
    subroutine check_settling()
-      real(dp), parameter :: quiet(3) = 0, sizes(3) = [0.3_dp, 0.8_dp, 0.93_dp]   ! of ratios
+      real(dp), parameter :: quiet(3) = 0, sizes(3) = [0.3_dp, 0.8_dp, 0.93_dp]   ! tolerances of ratios
       complex(dp), parameter :: wave = (0.6_dp, -0.3_dp)
       complex(dp) :: parts(3), ratio
       real(dp) :: error, film(32), time(32)

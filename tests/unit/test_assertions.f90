@@ -1,4 +1,4 @@
-!> Preconditions: a debug build ends where one does not hold, and says which; a release build does not look.
+!> Preconditions: a debug build ends with a message where one fails; a release build does not check.
 program test_assertions
    use ehlwave_assertions, only: checks
    use ehlwave_grid, only: grid_t, new_line_grid

@@ -1,4 +1,4 @@
-!> What a march has not yet settled and the oil carries on: the film that the centre comes to.
+!> Unsettled changes of a march that the oil carries: the final film at the centre.
 program test_carried_change
    use ehlwave_carried_change, only: carried_change_t
    use ehlwave_grid, only: grid_t, new_grid
@@ -17,7 +17,7 @@ program test_carried_change
 
 contains
 
-   !> A wave and a change that the oil carries: neither the one nor the other fades.
+   !> A wave and a change that the oil carries: neither fades.
    subroutine check_wave(wavelength, carried, steps, left)
       real(dp), intent(in) :: wavelength        !! over a, of a period that long in pure rolling
       real(dp), intent(in) :: carried           !! rather than spread

@@ -42,7 +42,7 @@ program test_case_bounds
 
 contains
 
-   !> Every bound of a key, what is next to it, and every choice.
+   !> Every bound of a key, the values next to it, and every choice.
    subroutine try_key(k, base)
       integer, intent(in) :: k
       character(len=*), intent(in) :: base

@@ -27,7 +27,7 @@ contains
       close (unit)
    end subroutine write_file
 
-   !> Numbers by name and line; their digest knows no comments, and no spelling.
+   !> Numbers by name and line; their digest ignores comments and spelling.
    subroutine check_table()
       type(number_table_t) :: other, same, table
       type(error_t), allocatable :: error

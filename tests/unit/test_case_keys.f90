@@ -83,8 +83,8 @@ contains
       end select
    end subroutine check_key
 
-   !> A number that the bounds of the key should judge; where there is no such bound nothing is tried. 0 of a key that
-   !> has no value by default says so in a table, and only there.
+   !> A number that the bounds of the key should judge; without such a bound nothing is tried. 0 means none for a key
+   !> without default in a table, and only there.
    subroutine try_number(key, number, default)
       type(key_t), intent(in) :: key
       real(dp), intent(in) :: number
@@ -120,7 +120,7 @@ contains
       call test%check_equal(in_table, in_file, what//' in a table')
    end subroutine try
 
-   !> What a case file says of a value, '' when it is accepted and the case has it.
+   !> Error of a case file with a value, '' when it is accepted and the case has it.
    function from_file(key, text) result(problem)
       type(key_t), intent(in) :: key
       character(len=*), intent(in) :: text
@@ -254,7 +254,7 @@ contains
       call test%check_error(error, "T: column 'fields': this key cannot vary", 'a key that cannot vary')
    end subroutine check_cells
 
-   !> Combinations are counted before they are made; the wavelength varies fastest, what is new slowest.
+   !> Combinations are counted before they are made; the wavelength varies fastest, new keys slowest.
    subroutine check_count()
       type(namelist_t) :: file
       type(sweep_lists_t) :: lists

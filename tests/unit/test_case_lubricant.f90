@@ -1,4 +1,4 @@
-!> The lubricant of a case: what is asked for and refused by name, alpha from a law, effective input.
+!> The lubricant of a case: requests and refusals by name, alpha from a law, effective input.
 program test_case_lubricant
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
@@ -95,7 +95,7 @@ contains
       call test%check_close(same%lubricant_parameter_l, alpha*2e11_dp*(0.1_dp/2e9_dp)**0.25_dp, 'L', relative=1e-13_dp)
    end subroutine check_coefficient
 
-   !> Written and read again: the same; and a case that uses none of the new keys does not know them.
+   !> Written and read again: unchanged; a case without the new keys does not mention them.
    subroutine check_texts()
       type(case_t) :: case
       type(error_t), allocatable :: error

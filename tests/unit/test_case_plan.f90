@@ -38,7 +38,7 @@ contains
       case%cells_y = 64
    end function sample
 
-   !> Oils that thin: more error, more work; Newtonian ones and those that hardly do: none of it.
+   !> Shear-thinning oils: more error, more work; none for Newtonian and nearly Newtonian oils.
    subroutine check_thinning()
       type(case_plan_t) :: newtonian, plan
       type(case_t) :: case
@@ -64,7 +64,7 @@ contains
       call test%check_close(plan%expected%mesh, newtonian%expected%mesh, 'n = 1 is Newtonian', relative=1e-10_dp)
    end subroutine check_thinning
 
-   !> The cap follows from the plan unless the case has one.
+   !> The cap follows from the plan unless the case sets it.
    subroutine check_work_cap()
       type(case_plan_t) :: plan
       type(case_t) :: case

@@ -105,8 +105,8 @@ contains
       case%cells_x = 0
    end function line
 
-   !> Stores hold cases by these identities: they are those of the first version of the program, whose edges were all truncated,
-   !> and must never change.
+   !> Stores hold cases by these identities, as in the first version of the program, whose edges were all truncated, and
+   !> must never change.
    subroutine check_identities()
       call check_identity(smooth(), '13A8A1479AFEA8E4', 'smooth')
       call check_identity(wavy(), 'C212255D6EEA3CC6', 'wavy')
@@ -128,7 +128,8 @@ contains
       call test%check_equal(case_identity(case), identity, 'identity: '//what)
    end subroutine check_identity
 
-   !> The whole text of a case with what is chosen by an accuracy, as the first version of the program wrote it but for the edges.
+   !> Full text of a case with the choices of an accuracy, as the first version of the program wrote it except for the
+   !> edges.
    subroutine check_file()
       character(len=*), parameter :: lf = new_line('a')
       character(len=*), parameter :: expected = '&conditions'//lf//'  load_parameter_m = 100'//lf// &
@@ -174,7 +175,7 @@ contains
                             new_line('a')//'/'//new_line('a'), 'another value of a late key')
    end subroutine check_late_key
 
-   !> What went without saying before a key existed is written and no part of the identity; the default of today is.
+   !> Former implicit defaults are written and are no part of the identity; the same holds for today's default.
    subroutine check_former_default()
       type(case_t) :: case
       type(error_t), allocatable :: error
@@ -194,7 +195,7 @@ contains
       call test%check_equal(input_identity(truncated), case_identity(case), 'identity of an effective input')
    end subroutine check_former_default
 
-   !> From Python, with `text` what effective_input gives:
+   !> From Python, with `text` from effective_input:
    !>     h = 14695981039346656037
    !>     for b in text.encode(): h = (h ^ b)*1099511628211 % 2**64
    !>     print(f'{h:016X}')

@@ -4,7 +4,7 @@ module step_counter
    implicit none (type, external)
    private
 
-   !> Counts time steps and stops the case at one of them, or ends it after some.
+   !> Counts time steps and stops the case at a given step, or ends it after some.
    type, extends(monitor_t), public :: counter_t
       integer :: steps = 0, stop_at = huge(1), end_after = huge(1)
       integer :: first = 0                          !! number of the first step that was done
@@ -27,7 +27,7 @@ contains
 
 end module step_counter
 
-!> A march that is stopped goes on from its checkpoint with the same bits; one that is torn or of something else is not used.
+!> A march that is stopped goes on from its checkpoint with the same bits; a torn or foreign checkpoint is not used.
 program test_checkpoint_file
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
@@ -98,7 +98,7 @@ contains
       call test%check(plan%steps > steps_per_stretch, 'the march is longer than a stretch')
    end subroutine make_case
 
-   !> The same with heat, whose oil and surfaces follow the waves.
+   !> Checkpoint with heat, whose oil and surfaces follow the waves.
    subroutine make_warm_case()
       type(error_t), allocatable :: error
       type(case_t) :: defaults
@@ -144,7 +144,7 @@ contains
       call test%check_equal(monitor%steps, expected_steps, 'steps of '//what)
    end subroutine run_with
 
-   !> The first two steps with a checkpoint file of this content are those of a march without one.
+   !> The first two steps with a checkpoint file of this content equal the steps of a march without one.
    subroutine begin_with(text, what)
       character(len=*), intent(in) :: text, what
       type(case_result_t) :: begun
@@ -169,7 +169,7 @@ contains
       call run_case(case, plan, monitor, result, keeper=checkpoint)
    end subroutine run_counted
 
-   !> All numbers of `stopped` against those of `whole`, bit for bit.
+   !> All numbers of `stopped` against `whole`, bit for bit.
    subroutine compare(what)
       character(len=*), intent(in) :: what
       call test%check_equal(stopped%status, whole%status, 'status of '//what)
@@ -199,7 +199,7 @@ contains
       call begin_with(text(:index(text, identity)), 'half a heading')
    end subroutine check_unusable
 
-   !> The checkpoint with one bit of one byte changed.
+   !> The checkpoint with a single bit changed.
    pure function damaged(place) result(bad)
       integer, intent(in) :: place
       character(len=:), allocatable :: bad

@@ -157,7 +157,7 @@ contains
       call test%check_close(c%d, 1.0_dp, 'D = 1', relative=0.0_dp)
    end subroutine refuse_bad_data
 
-   !> What lies outside is refused with the bound that it breaks, and the M that is named lies inside, nearly at it.
+   !> Values outside are refused with the violated bound; the named M lies inside, close to the bound.
    subroutine name_the_bound()
       real(dp), parameter :: l(3) = [1.0_dp, 12.05_dp, 300.0_dp], d(3) = [0.0_dp, 0.07_dp, 1.0_dp]
       type(conditions_t) :: c

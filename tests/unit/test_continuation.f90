@@ -1,4 +1,4 @@
-!> Paths of the rescue ladder: places on them, and what lies in between.
+!> Paths of the rescue ladder: places on them, and the states between.
 program test_continuation
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_continuation, only: adaptive_path_t, neighbour_t

@@ -50,7 +50,7 @@ contains
       call test%check_error(error, needle, what)
    end subroutine check_bad
 
-   !> What a spreadsheet writes: a byte order mark, many columns.
+   !> Exports of a spreadsheet: a byte order mark, many columns.
    subroutine check_wide()
       integer, parameter :: n = 50000
       type(csv_t) :: table

@@ -109,7 +109,7 @@ contains
       if (grid%is_line) call test%check(maxval(abs(y%flux)) <= 0, 'no flow across a line contact')
    end subroutine check_newtonian
 
-   !> Fitted fluxes: tau0 -> inf has those of a Newtonian oil; between nodes alike the averaged ones; derivatives.
+   !> Fitted fluxes: tau0 -> inf gives the fluxes of a Newtonian oil; equal nodes give the averaged fluxes; derivatives.
    subroutine check_fitted(given)
       type(grid_t), intent(in) :: given
       type(grid_t) :: grid
@@ -150,7 +150,7 @@ contains
    subroutine check_derivatives(grid, law, limit)
       type(grid_t), intent(in) :: grid
       class(flow_law_t), intent(in) :: law
-      real(dp), intent(in), optional :: limit   !! of the stress over tau0 P
+      real(dp), intent(in), optional :: limit   !! limit of the stress over tau0 P
       type(face_flow_t) :: x(3), y(3)
       type(film_flow_t) :: film
       real(dp), parameter :: step(3) = [0.0_dp, 2e-3_dp, 1e-3_dp]

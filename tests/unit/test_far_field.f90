@@ -57,7 +57,7 @@ contains
                                               - rigid_strength(c, from(1))/paraboloid(c, from)**2)/sum(step)
    end function flux
 
-   !> Johnson (1985) for D = 1; slender: no gap at the edge of the Hertz zone, far out that of a point load.
+   !> Johnson (1985) for D = 1; slender: no gap at the edge of the Hertz zone, far out the gap of a point load.
    subroutine check_gap()
       type(conditions_t) :: c
       type(gauss_rule_t) :: rule
@@ -78,7 +78,8 @@ contains
                             'slender gap far out', relative=1e-4_dp)
    end subroutine check_gap
 
-   !> Of a line contact P = lambdabar int (H - H_m)/H^3 dX from -inf; H_m = 0 gives an upper bound, close where the gap is wide.
+   !> A line contact has P = lambdabar int (H - H_m)/H^3 dX from -inf; H_m = 0 gives an upper bound, close where the gap
+   !> is wide.
    subroutine check_line()
       type(conditions_t) :: c
       type(far_field_t) :: far

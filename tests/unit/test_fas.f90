@@ -53,8 +53,8 @@ contains
       call level%given%load%carry(spread(level%state%delta, 1, 3))
    end subroutine start_heavy_step
 
-   !> The coarse problem of a solution: no residual, no change by Newton's method, no correction. That of another state
-   !> corrects it.
+   !> The coarse problem of a solution: no residual, no change by Newton's method, no correction. The problem of
+   !> another state corrects it.
    subroutine check_identity(d, is_half, is_step)
       real(dp), intent(in) :: d
       logical, intent(in) :: is_half, is_step
@@ -117,7 +117,7 @@ contains
       end associate
    end subroutine check_identity
 
-   !> Every kind of cycle converges to what Newton's method finds; W and F no slower than V.
+   !> Every kind of cycle converges to the solution of Newton's method; W and F no slower than V.
    subroutine check_cycles()
       character(len=1), parameter :: kinds(3) = ['v', 'w', 'f']
       type(full_multigrid_t) :: fas(3), newton
@@ -208,7 +208,7 @@ contains
       end block
    end subroutine check_nothing_left
 
-   !> A solve that does not converge says so.
+   !> A solve that does not converge returns that status.
    subroutine check_status()
       type(full_multigrid_t) :: fas
       type(solve_report_t) :: report

@@ -34,7 +34,7 @@ program test_film_flow
 
 contains
 
-   !> One place, S = 1.5: fluidity such that B is as given.
+   !> A place, S = 1.5: fluidity such that B is as given.
    subroutine at(flow, component, b, h, g, values)
       type(film_flow_t), intent(in) :: flow
       integer, intent(in) :: component
@@ -83,7 +83,7 @@ contains
       end do
    end subroutine check_conry
 
-   !> The same beyond 20, where the exponential alone is left: as exact as its rules can be.
+   !> Beyond 20, where the exponential alone is left: as exact as its rules can be.
    subroutine check_conry_far()
       real(dp), parameter :: variations(*) = [40.0_dp, 90.0_dp, 200.0_dp], h = 0.15_dp, b = 1e4_dp
       type(film_flow_t) :: flow
@@ -185,9 +185,10 @@ contains
    subroutine check_derivatives(name, law, limit, ln_fluidity)
       character(len=*), intent(in) :: name
       class(flow_law_t), intent(in) :: law
-      real(dp), intent(in), optional :: limit                 !! of the stress over tau0, for P = 1
+      real(dp), intent(in), optional :: limit                 !! limit of the stress over tau0, for P = 1
       real(dp), intent(in), optional :: ln_fluidity(0:)       !! at levels across the film
-      real(dp), parameter :: direction(5) = [0.7_dp, 0.03_dp, 0.9_dp, -0.8_dp, 0.1_dp]   ! of ln(eta), H, g_x, g_y, P
+      real(dp), parameter :: direction(5) = [0.7_dp, 0.03_dp, 0.9_dp, -0.8_dp, 0.1_dp]   ! changes of ln(eta), H, g_x,
+                                                                                         ! g_y, P
       real(dp), parameter :: points(4, 4) = reshape([-11.0_dp, 0.15_dp, 1.0_dp, 0.7_dp, -4.0_dp, 0.2_dp, -9.0_dp, 6.0_dp, &
                                                      -9.0_dp, 0.1_dp, 2.0_dp, 30.0_dp, 0.5_dp, 0.3_dp, 12.0_dp, -3.0_dp], [4, 4])
       type(film_flow_t) :: flow

@@ -33,8 +33,8 @@ contains
       oil%drho(:, :) = 0
    end function oil_of
 
-   !> Between parallel walls one flow goes through all faces along X: that of the whole pressure drop, however steep
-   !> the viscosity is from node to node. The averaged one is far from it.
+   !> Between parallel walls the same flow passes all faces along X, driven by the whole pressure drop, however
+   !> steep the viscosity is from node to node. The averaged flow is far from it.
    subroutine check_steep_oil()
       integer, parameter :: n = 8
       type(grid_t) :: grid
@@ -55,7 +55,7 @@ contains
       call test%check(all(abs(y%flux) <= 0), 'none across')
       averaged = film**3/lambdabar*(oil%fluidity(n - 1, 3) + oil%fluidity(n, 3))*(p(n, 3) - p(n - 1, 3))
       call test%check(averaged > 1.5_dp*x%flux(n - 1, 3), 'averages are far off')
-      ! the same along Y, and transposed
+      ! along Y, and transposed
       oil = oil_of(transpose(p), spread(spread(film, 1, n + 1), 2, n + 1), .true.)
       call fit_faces(grid, lambdabar, oil, x, y)
       call test%check_close(y%flux(3, :n - 1), spread(2*film**3/lambdabar*q(n)/n, 1, n), 'along Y', relative=1e-12_dp)
@@ -77,7 +77,7 @@ contains
       call test%check_close(x%flux(:n - 1, 0), spread(2*grid%hx/lambdabar, 1, n), 'flux in a wedge', relative=1e-12_dp)
    end subroutine check_wedge
 
-   !> Where nodes hardly differ, the mean is that of the averaged scheme, and the series joins the logarithm.
+   !> Where nodes hardly differ, the mean equals the averaged scheme, and the series joins the logarithm.
    subroutine check_alike()
       type(grid_t) :: grid
       type(face_flow_t) :: x, y

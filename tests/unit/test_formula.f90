@@ -54,7 +54,7 @@ contains
                             [0.80_dp, 0.86_dp, 0.90_dp], 'experiment', absolute=0.006_dp)
    end subroutine check_amplitude
 
-   !> Line contacts: V of both forms; the asymptotes of the film formula and one value worked out elsewhere.
+   !> Line contacts: V of both forms; the asymptotes of the film formula and a value computed independently.
    subroutine check_line()
       type(conditions_t) :: c
       c = make_conditions(100.0_dp, 0.0_dp)

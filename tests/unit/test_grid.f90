@@ -27,7 +27,7 @@ contains
       call test%check(half%below(0) == 1 .and. half%below(3) == 2 .and. whole%below(1) == 0, 'the row below is mirrored')
    end subroutine check_nodes
 
-   !> The grid of a line contact has one row, which is its own neighbour.
+   !> The grid of a line contact has a single row, which is its own neighbour.
    subroutine check_line()
       type(grid_t) :: line
       line = new_line_grid(-2.5_dp, 1.5_dp, 64)
@@ -38,7 +38,7 @@ contains
       call test%check(line%can_coarsen(32) .and. .not. line%can_coarsen(33), 'cells along X count')
    end subroutine check_line
 
-   !> The coarser grid is the one made with half the cells, to the last bit.
+   !> The coarser grid equals a grid made with half the cells, to the last bit.
    subroutine check_coarser()
       type(grid_t) :: coarse, fine
       fine = new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 96, 80, .true.)

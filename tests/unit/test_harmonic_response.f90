@@ -38,7 +38,7 @@ contains
       call multigrid%solve(solve_limits_t(tolerance=1e-9_dp), 1e-3_dp)
    end subroutine steady
 
-   !> On the grid of the time step the weights are those of the characteristic; on coarser ones a smooth f sees the same.
+   !> On the grid of the time step the weights equal the characteristic weights; coarser grids agree for a smooth f.
    subroutine transport_on_grids(test)
       type(test_t), intent(inout) :: test
       type(full_multigrid_t) :: multigrid
@@ -64,7 +64,7 @@ contains
       call fitted_transport(test, multigrid%levels(2)%problem%grid, multigrid%levels(1)%problem%grid)
    end subroutine transport_on_grids
 
-   !> The same of third order.
+   !> Transport of third order.
    subroutine fitted_transport(test, grid, wide)
       type(test_t), intent(inout) :: test
       type(grid_t), intent(in) :: grid, wide
@@ -110,7 +110,7 @@ contains
       call test%check_close(abs(harmonic_inertia(omega, dt, frequency) - sum_of_terms), 0.0_dp, 'inertia', absolute=1e-12_dp)
    end subroutine inertia
 
-   !> One time step with small harmonic P, Delta and pattern at this and the two earlier times: the change of the
+   !> A time step with small harmonic P, Delta and pattern at this and the two earlier times: the change of the
    !> nonlinear residual, central differences in the amplitude, against the linearised operator.
    subroutine against_residual(test, what, is_half, frequency)
       type(test_t), intent(inout) :: test
@@ -199,8 +199,8 @@ contains
       end associate
    end subroutine step_residual
 
-   !> A response does not depend on those computed before it, bit for bit; oblique and product patterns have the same at
-   !> the centre, because sin(ky Y) has none there.
+   !> A response does not depend on earlier responses, bit for bit; oblique and product patterns have the same at the
+   !> centre, because sin(ky Y) has none there.
    subroutine independent_of_history(test)
       type(test_t), intent(inout) :: test
       type(full_multigrid_t) :: multigrid
@@ -229,7 +229,7 @@ contains
       call test%check(abs(other%film - again%film) > 1e-3_dp, 'not those of half the speed')
    end subroutine independent_of_history
 
-   !> Waves along Y are answered in real numbers; those that vary very slowly along X, in complex ones, are nearly the same.
+   !> Waves along Y have a real response; waves that vary very slowly along X have a complex response close to it.
    subroutine real_and_complex(test)
       type(test_t), intent(inout) :: test
       type(full_multigrid_t) :: multigrid

@@ -1,4 +1,4 @@
-!> What is written to an HDF5 file comes back bit for bit with its units and names, and no failure goes unnoticed.
+!> Data written to an HDF5 file come back bit for bit with their units and names, and no failure goes unnoticed.
 program test_hdf5_file
    use ehlwave_errors, only: error_t
    use ehlwave_hdf5_file, only: hdf5_file_t

@@ -1,4 +1,4 @@
-!> Temperatures: surfaces under a band of heat, a film at rest and one that carries heat, levels across the film.
+!> Temperatures: surfaces under a band of heat, a film at rest and a film that carries heat, levels across the film.
 program test_heat
    use ehlwave_film_column, only: column_t, new_column, solve_column
    use ehlwave_film_shear, only: made_by_own, made_by_stress, made_heat, made_stress_by_rise
@@ -166,7 +166,7 @@ contains
       levels = new_film_levels(12)
       column = at_rest(levels)
       column%convection = 40
-      column%own = 2 + levels%zeta             ! out on the one side,
+      column%own = 2 + levels%zeta             ! out on the other side,
       column%brought = 4*(2.5_dp)              ! 2.5 in on the other, where the rise is 4: so oil moves across
       column%net = column%own - 2.5_dp
       column%wall_before = 4

@@ -1,4 +1,4 @@
-!> The last period of a march: what is looked up a period later, whether steps meet it or not.
+!> The last period of a march: values a period earlier, whether steps meet it or not.
 program test_last_period
    use ehlwave_kinds, only: dp, pi
    use ehlwave_lagrange, only: lagrange_weights
@@ -45,11 +45,11 @@ contains
                             relative=1e-13_dp)
    end subroutine check_weights
 
-   !> A wave of one period: looked up as soon as it can be, and from then on.
+   !> A wave of a single period: looked up as soon as it can be, and from then on.
    subroutine check_period(period, most, tolerance)
       real(dp), intent(in) :: period          !! in steps
       integer, intent(in) :: most             !! samples of a period
-      real(dp), intent(in) :: tolerance       !! of what is looked up
+      real(dp), intent(in) :: tolerance       !! tolerance of the values
       real(dp), parameter :: dt = 0.25_dp
       type(last_period_t) :: last
       real(dp) :: delta, largest, p(0:1, 0:0)

@@ -1,5 +1,5 @@
-!> The hybrid line relaxation: a solution stays one, and errors that change from node to node are smoothed both where
-!> Poiseuille flow rules and where the deformation does.
+!> The hybrid line relaxation: a solution stays a solution, and errors that change from node to node are smoothed
+!> both where Poiseuille flow rules and where the deformation does.
 program test_line_relaxation
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
@@ -49,7 +49,7 @@ contains
 
    !> Newton's solution, from a Hertz guess when there is none.
    subroutine solve(single, state, name)
-      type(hierarchy_t), intent(inout) :: single   !! of one level
+      type(hierarchy_t), intent(inout) :: single   !! hierarchy of a single level
       type(state_t), intent(inout) :: state
       character(len=*), intent(in) :: name
       type(newton_t) :: newton
@@ -115,7 +115,7 @@ contains
       call test%check_close(maxval(abs(h - state%h)), 0.0_dp, name//': the film belongs to the pressure', absolute=1e-12_dp)
    end subroutine check_smoothing
 
-   !> Errors of the pressure, Euclidean norms: relative ones in the inlet, where it is small, absolute in the middle.
+   !> Errors of the pressure, Euclidean norms: relative in the inlet, where it is small, absolute in the middle.
    subroutine measure(problem, solution, state, inlet, middle)
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: solution, state

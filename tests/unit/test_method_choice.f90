@@ -64,7 +64,7 @@ contains
       character(len=*), intent(in) :: method
       character(len=:), allocatable :: name
       name = method
-      if (method == 'fas') name = method//'f'   ! and its cycle
+      if (method == 'fas') name = method//'f'   ! method and its cycle
    end function expected_name
 
    subroutine check(given, method, tolerance, name)

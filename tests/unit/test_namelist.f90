@@ -1,4 +1,4 @@
-!> The reader of input files: files and their layout, absent and unknown keys, and what an error leaves.
+!> The reader of input files: files and their layout, absent and unknown keys, and the state after an error.
 program test_namelist
    use, intrinsic :: iso_fortran_env, only: int64
    use ehlwave_errors, only: error_t, raise
@@ -11,7 +11,7 @@ program test_namelist
    character(len=1), parameter :: nl = achar(10), cr = achar(13), tab = achar(9)
    character(len=*), parameter :: bom = char(239)//char(187)//char(191)
    type(test_t) :: test
-   character(len=:), allocatable :: path   ! of the temporary file
+   character(len=:), allocatable :: path   ! name of the temporary file
    integer(int64) :: ticks
 
    call system_clock(ticks)
@@ -142,7 +142,7 @@ contains
                           ':2: unknown group &waves: the known groups are &contact, &grid, &output', 'other group')
    end subroutine refuse_unknown_names
 
-   !> Load `text`, ask for a set of keys and check what is said about the rest; nothing when `needle` is empty.
+   !> Load `text`, ask for a set of keys and check the message about the rest; nothing when `needle` is empty.
    subroutine refuse_unknown(text, needle, what)
       character(len=*), intent(in) :: text, needle, what
       type(namelist_t) :: nml

@@ -1,4 +1,4 @@
-!> The format of input files: what is refused, with a message that names the line and says what to change.
+!> The format of input files: refusals, with a message that names the line and the change needed.
 program test_namelist_format
    use ehlwave_errors, only: error_t
    use ehlwave_namelist, only: namelist_t

@@ -1,5 +1,5 @@
-!> Values of an input file: what is accepted for each kind of key, and that each mistake gets a message that names the
-!> place and says what to write.
+!> Values of an input file: accepted values for each kind of key, and messages for mistakes with the place and the
+!> correct form.
 program test_namelist_values
    use ehlwave_case_key, only: key_t, key_value_t, number_kind, truth_kind, whole_kind, word_kind
    use ehlwave_errors, only: error_t
@@ -117,7 +117,7 @@ contains
       call test%check_no_error(error, text)
    end function accepted
 
-   !> What a reader does for a key.
+   !> Ask as a reader does for a key.
    subroutine ask(nml, kind, key, value, error)
       type(namelist_t), intent(inout) :: nml
       integer, intent(in) :: kind
@@ -215,12 +215,12 @@ contains
       end do
    end subroutine refuse_in_short
 
-   !> Asking for `value` as the kind of value named must be refused; the message names the line and says what `needle` says.
+   !> Asking for `value` as the kind of value named must be refused; the message names the line and contains `needle`.
    subroutine refuse(kind, value, needle, key, line, never)
       character(len=*), intent(in) :: kind, value, needle
       type(key_t), intent(in), optional :: key                             !! its bounds and choices
       integer, intent(in), optional :: line                                !! without: the first, 2
-      character(len=*), intent(in), optional :: never                      !! what the message must not say
+      character(len=*), intent(in), optional :: never                      !! text that the message must not contain
       type(namelist_t) :: nml
       type(error_t), allocatable :: error
       type(key_t) :: asked

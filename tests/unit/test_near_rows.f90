@@ -63,7 +63,7 @@ contains
       end do
    end subroutine dense
 
-   !> On a half domain what falls on a row below the line of symmetry belongs to its mirror image.
+   !> On a half domain entries on a row below the line of symmetry belong to its mirror image.
    subroutine compare(d, is_half, is_transient)
       real(dp), intent(in) :: d
       logical, intent(in) :: is_half, is_transient

@@ -22,7 +22,7 @@ program test_oil_content
    implicit none (type, external)
 
    integer, parameter :: cells = 64
-   real(dp), parameter :: tolerance = 1e-9_dp   ! of solutions: of pressures that are to vanish, too
+   real(dp), parameter :: tolerance = 1e-9_dp   ! tolerance of solutions: also of pressures that are to vanish
    type(test_t) :: test
    real(dp) :: amount(2)
    integer :: n
@@ -39,7 +39,7 @@ program test_oil_content
 contains
 
    subroutine check_contact(r, is_half)
-      real(dp), intent(in) :: r        !! oil offered over what the flooded contact passes
+      real(dp), intent(in) :: r        !! oil offered over the flow of the flooded contact
       logical, intent(in) :: is_half
       type(full_multigrid_t) :: multigrid
       type(rescue_t) :: rescue
@@ -64,7 +64,7 @@ contains
       call check_jacobian(multigrid, what//'time step: ')
    end subroutine check_contact
 
-   !> What enters leaves, and no more passes than is offered.
+   !> Inflow equals outflow, and no more than the supply.
    subroutine check_passage(multigrid, what)
       type(full_multigrid_t), intent(in) :: multigrid
       character(len=*), intent(in) :: what
@@ -162,7 +162,7 @@ contains
       end associate
    end subroutine check_holding
 
-   !> Let the problem be that of a time step, after which the gap has changed.
+   !> Set the problem of a time step with a changed gap.
    subroutine check_step(multigrid, what)
       type(full_multigrid_t), intent(inout) :: multigrid
       character(len=*), intent(in) :: what

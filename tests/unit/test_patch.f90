@@ -48,8 +48,8 @@ contains
       end do
    end subroutine check_equations
 
-   !> The equations of a patch against those of the whole, and again after the same change of pressure in both, when films outside are
-   !> no longer what the patch holds.
+   !> The equations of a patch against the whole contact, and again after the same change of pressure in both, when
+   !> films outside no longer match the patch.
    subroutine compare(what, whole, patch, first, last)
       character(len=*), intent(in) :: what
       type(level_t), intent(inout) :: whole, patch

@@ -1,4 +1,4 @@
-!> Append-only records: what is cut off or damaged is passed over, everything else is read.
+!> Append-only records: incomplete or damaged records are skipped, all others are read.
 program test_record_file
    use ehlwave_errors, only: error_t
    use ehlwave_posix, only: checksum, remove_file
@@ -42,7 +42,7 @@ contains
       call test%check_no_error(error, 'write')
    end subroutine write_records
 
-   !> Number of good records; each must be one of those written.
+   !> Number of good records; each must have been written.
    integer function good_records(file) result(number)
       character(len=*), intent(in) :: file
       integer(i8) :: first, last, position
@@ -58,7 +58,7 @@ contains
       end do
    end function good_records
 
-   !> A writer killed after any byte, and another one that goes on after it.
+   !> A writer killed after any byte, and a second writer that continues.
    subroutine check_cut_at_every_byte()
       integer :: ends(4), i, n
       n = 0
@@ -81,7 +81,7 @@ contains
          damaged = text
          damaged(i:i) = achar(ieor(iachar(text(i:i)), 1))
          good = good_records(damaged)
-         ! the end of a line can be told from its length, that of the last one can also have been cut off
+         ! the end of a line can be found from its length; the last line may be cut off
          call test%check_equal(good, merge(4, 3, text(i:i) == new_line('a') .and. i < len(text)), 'damaged byte '//to_text(i))
       end do
    end subroutine check_every_damaged_byte
@@ -93,7 +93,7 @@ contains
       call test%check_error(error, path, 'a file that exists is not written')
    end subroutine check_existing_file
 
-   !> A file is read in pieces; records can be longer than one, and a line without end is passed over.
+   !> A file is read in pieces; records can be longer than one, and an endless line is skipped.
    subroutine check_long_file()
       integer, parameter :: lengths(6) = [3, 5000000, 17, 9000000, 4194304, 1]
       type(record_writer_t) :: writer

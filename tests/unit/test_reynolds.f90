@@ -65,7 +65,7 @@ contains
       logical, intent(in) :: is_half
       character(len=*), intent(in) :: law
       integer, intent(in) :: cells_per_step
-      class(flow_law_t), intent(in), optional :: flow_law   !! of an oil that is not Newtonian, S = 1.4
+      class(flow_law_t), intent(in), optional :: flow_law   !! flow law of an oil that is not Newtonian, S = 1.4
       logical, intent(in), optional :: is_fitted            !! scheme; absent: averaged
       type(contact_problem_t) :: problem
       type(conditions_t) :: conditions
@@ -129,7 +129,7 @@ contains
       end associate
    end subroutine check_jacobian
 
-   !> Taylor test: what the product leaves of a change of the residual shrinks with the square of the step.
+   !> Taylor test: the difference between product and change of the residual shrinks with the square of the step.
    subroutine check_order(problem, given, p, delta, change, ddelta, product, what)
       type(contact_problem_t), intent(inout) :: problem
       type(given_t), intent(in) :: given
@@ -154,7 +154,7 @@ contains
       print '(a, f6.3)', 'measured: '//what//': observed order', order
    end subroutine check_order
 
-   !> The complex product with real weights is that of both parts.
+   !> The complex product with real weights is the product of both parts.
    subroutine check_complex(equations, given, change, dh, scaled, what)
       type(equations_t), intent(in) :: equations
       type(given_t), intent(in) :: given

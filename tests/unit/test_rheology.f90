@@ -115,7 +115,7 @@ contains
       at_third = values(3)
    end function at_third
 
-   !> The same laws in units of ph, at this Hertz pressure and another.
+   !> The laws in units of ph, at this Hertz pressure and another.
    subroutine check_pressures()
       real(dp), parameter :: p = 0.7_dp, pressures(2) = [ph, 0.5_dp*ph]
       type(rheology_t) :: rheology
@@ -134,7 +134,7 @@ contains
       end do
    end subroutine check_pressures
 
-   !> Arrays are asked for block by block: the same bits as one by one, density alone, too.
+   !> Arrays are evaluated block by block: the same bits as single values, also for density alone.
    subroutine check_blocks()
       integer, parameter :: n = 700
       type(rheology_t) :: rheology

@@ -17,7 +17,7 @@ program test_steady_groups
    real(dp), parameter :: none_known(9) = 0
    integer :: case, i, taken(9)
 
-   ! 1 to 4 and 6: responses about one steady state, 5 and 7: about another, 8 and 9: transients about the first
+   ! 1 to 4 and 6: responses about a steady state, 5 and 7: about another, 8 and 9: transients about the first
    do i = 1, 9
       cases(i)%load_parameter_m = merge(200, 100, i == 5 .or. i == 7)
       cases(i)%lubricant_parameter_l = 10
@@ -62,7 +62,7 @@ program test_steady_groups
    end do
    call test%check(all([(any(taken == i), i=1, 9)]), 'one rank gets every case once')
 
-   ! what changes the steady state separates the groups, domain and grid included
+   ! keys that change the steady state separate the groups, domain and grid included
    cases(2)%cells_x = 128
    cases(3)%domain = 'whole'
    cases(4)%oil%roelands%index = 0.5

@@ -1,4 +1,4 @@
-!> What ranks put into a store comes back, the last run counting; what is cut off or damaged counts as not written.
+!> Records of ranks come back from a store, the last run counting; incomplete or damaged records count as not written.
 program test_store
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_errors, only: error_t
@@ -48,7 +48,7 @@ contains
       call test%check_equal(contents%count + size(contents%logs) + contents%runs, 0, 'nothing in no store')
    end subroutine check_nothing
 
-   !> A store opened for one more run.
+   !> A store opened for another run.
    subroutine open_run(store, expected)
       type(store_t), intent(out) :: store
       integer, intent(in) :: expected
@@ -120,7 +120,7 @@ contains
       call test%check_equal(contents%index%find(third), 0, 'a case that is not there')
    end subroutine check_first_run
 
-   !> Another run: its records count, those of the others stay.
+   !> Another run: its records count, records of other runs stay.
    subroutine check_second_run()
       type(store_t) :: store
       type(contents_t) :: contents
@@ -183,7 +183,7 @@ contains
       call test%check(contents%index%find(second) > 0, 'the whole log')
    end subroutine check_cut_log
 
-   !> A digit of a record is not what was written.
+   !> A changed digit of a record.
    subroutine check_damaged_log()
       type(contents_t) :: contents
       character(len=:), allocatable :: damaged, text
@@ -199,7 +199,7 @@ contains
       call replace_file(path_of(2), text, status)
    end subroutine check_damaged_log
 
-   !> Whatever byte of the log of two cases is damaged, at most one of them is lost, and what is there is right. Every fifth byte is
+   !> Whatever byte of the log of two cases is damaged, at most one is lost, and the rest is right. Every fifth byte is
    !> tried: no text of the log has a period of five.
    subroutine check_every_damaged_byte()
       character(len=*), parameter :: intact = 'test_store_intact.store'

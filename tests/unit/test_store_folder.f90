@@ -1,4 +1,4 @@
-!> What is a store, and what is not touched because it is none.
+!> Folders that are stores, and folders left alone because they are none.
 program test_store_folder
    use ehlwave_errors, only: error_t
    use ehlwave_posix, only: make_folder, replace_file
@@ -83,7 +83,7 @@ contains
       call test%check_error(error, 'cannot write', 'in a folder that is not there')
    end subroutine check_life
 
-   !> What somebody has put into a store, and links in place of its parts, stay as they are.
+   !> Foreign files in a store, and links in place of its parts, stay untouched.
    subroutine check_foreign_parts()
       character(len=*), parameter :: other = 'test_store_folder.other', identity = '0123456789ABCDEF'
       type(error_t), allocatable :: error

@@ -125,7 +125,7 @@ contains
       call test%check(.not. surface%is_even(), 'no longer even')
    end subroutine check_evenness
 
-   !> Rq and average wavelengths of a product of cosines, fine enough to be those of the continuum.
+   !> Rq and average wavelengths of a product of cosines, fine enough to match the continuum.
    subroutine check_numbers()
       type(surface_t) :: surface
       type(error_t), allocatable :: error

@@ -1,4 +1,4 @@
-!> A list of rough surfaces: the gap is their sum, and so is what a march meets.
+!> A list of rough surfaces: the gap is their sum, also in a march.
 program test_surfaces
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
@@ -54,7 +54,7 @@ contains
       call test%check(.not. (pair%is_rough() .or. pair%moves() .or. pair%is_measured()), 'smooth')
    end subroutine check_sum
 
-   !> Periods in a ratio of whole numbers, in none, and of one frequency.
+   !> Periods in a ratio of whole numbers, in none, and of equal frequency.
    subroutine check_repetition()
       type(surfaces_t) :: pair
 
@@ -81,7 +81,8 @@ contains
       call test%check_close(pack(rough, .true.), pack(expected, .true.), 'gap is the sum: '//what, absolute=1e-15_dp)
    end subroutine close
 
-   !> Waves of 15 % on one surface and of 5 % on the other, both at S = 1, and waves of 20 % on one: the same film at all times.
+   !> Waves of 15 % on one surface and of 5 % on the other, both at S = 1, and waves of 20 % on a single surface: the
+   !> same film at all times.
    subroutine check_march()
       type(case_t) :: case
       type(case_plan_t) :: plan

@@ -1,4 +1,4 @@
-!> The list of cases in a store comes back; without one there is an error.
+!> The list of cases in a store comes back; without a list there is an error.
 program test_sweep_case_list
    use ehlwave_case_list, only: case_list_t, variation_length
    use ehlwave_cost_model, only: feature_count

@@ -1,4 +1,4 @@
-!> Rows of a results file: what was stored bit for bit, what is known of a case that has not run, units and long names.
+!> Rows of a results file: stored values bit for bit, the inputs of a case that has not run, units and long names.
 program test_sweep_results
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_case_account, only: blank_result
@@ -116,7 +116,7 @@ contains
       call test%check_equal(attribute_of(path, '/', 'format'), 'ehlwave-results', 'format')
    end subroutine check_inputs
 
-   !> One case has run, two have not.
+   !> A case has run, two have not.
    subroutine check_outcomes()
       call test%check_equal(text_of(path, 'status', 1)//' '//text_of(path, 'status', 2), 'pending stalled', 'status')
       call test%check_equal(text_of(path, 'message', 2), result%message, 'message')
@@ -151,7 +151,7 @@ contains
                             'run of the program, counted from 1 in its store; -1: not run', 'long name of the run')
    end subroutine check_descriptions
 
-   !> Quantities that only one of three cases has, and one that none has.
+   !> Quantities of a single case out of three, and a quantity of none.
    subroutine check_partial_columns()
       character(len=*), parameter :: partial = 'test_sweep_results_partial.h5'
       type(hdf5_file_t) :: file
@@ -185,7 +185,7 @@ contains
       call test%check_equal(size(numbers_of(partial, 'nobody')), 0, 'a column that no case has is left out')
    end subroutine check_partial_columns
 
-   !> A record of another version, with a quantity that this one does not know and without those that it knows.
+   !> A record of another version, with an unknown quantity and without known quantities.
    subroutine check_older_store()
       type(record_writer_t) :: writer
       type(error_t), allocatable :: error
@@ -207,7 +207,7 @@ contains
       end associate
    end subroutine check_older_store
 
-   !> A record whose input is that of another case is not believed; the case counts as not run.
+   !> A record with the input of another case is rejected; the case counts as not run.
    subroutine check_foreign_record()
       type(record_writer_t) :: writer
       type(contents_t) :: contents

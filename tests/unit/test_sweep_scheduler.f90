@@ -1,4 +1,4 @@
-!> Cases that come to what a test wants.
+!> Cases with prescribed outcomes.
 module planned_case
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t
@@ -16,7 +16,7 @@ module planned_case
    private
    public :: run_planned
 
-   !> Counts what it is told.
+   !> Counts reported events.
    type, extends(leader_t), public :: counting_leader_t
       integer :: looks = 0
       integer :: most_cases = huge(1)         !! its time is up when so many are done
@@ -31,8 +31,8 @@ module planned_case
 
 contains
 
-   !> Stands for run_case: converges at once, however long the machine takes for that; with M = 500 it works until the monitor has
-   !> had enough.
+   !> Substitute for run_case: converges at once, however long the machine takes; with M = 500 it works until the
+   !> monitor stops it.
    subroutine run_planned(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
@@ -73,7 +73,7 @@ contains
 
 end module planned_case
 
-!> One rank works through a queue: longest first, every case stored; limits, stops and broken stores are heeded.
+!> A single rank works through a queue: longest first, every case stored; limits, stops and broken stores are heeded.
 program test_sweep_scheduler
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: most_keys
@@ -195,7 +195,7 @@ contains
       type(contents_t) :: contents
       type(error_t), allocatable :: error
       call make_leader(leader, sweep, store, with_endless=.true.)
-      leader%most_cases = 2                   ! the next is the one without end
+      leader%most_cases = 2                   ! the next case is endless
       call run_sweep(mpi_comm_self, run_planned, leader)
       call store%close(error)
       call test%check(leader%is_stopping, 'it stopped')

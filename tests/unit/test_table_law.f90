@@ -113,7 +113,7 @@ contains
       call test%check_close(above, below, 'd ln(eta)/dp does not jump', relative=1e-6_dp)
    end subroutine check_derivatives
 
-   !> Straight beyond the last pressure, bounded, and blocks that do not depend on what stands beside a value.
+   !> Straight beyond the last pressure, bounded, and blocks whose values do not depend on their neighbours.
    subroutine check_bounds()
       type(table_law_t) :: law
       type(error_t), allocatable :: error

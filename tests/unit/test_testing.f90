@@ -163,7 +163,7 @@ contains
       call expect_end('both', .false., '2 passed, 1 failed')
    end subroutine try_finish
 
-   !> What the process with that argument does.
+   !> End of the process for that argument.
    subroutine finish_as(role)
       character(len=*), intent(in) :: role
       type(test_t) :: t
@@ -173,7 +173,7 @@ contains
       call t%finish()
    end subroutine finish_as
 
-   !> Start this program with an argument; expect how it ends and one line that it prints.
+   !> Start this program with an argument; check its end and a line that it prints.
    subroutine expect_end(role, is_success, line)
       character(len=*), intent(in) :: role, line
       logical, intent(in) :: is_success

@@ -34,7 +34,7 @@ program test_thermal_estimate
 
 contains
 
-   !> The law of warm inlets within its range, and the lower one of two estimates beyond it.
+   !> The law of warm inlets within its range, and the lower of two estimates beyond it.
    subroutine check_law()
       type(inlet_t) :: inlet
       type(warm_inlet_t) :: found

@@ -1,4 +1,4 @@
-!> Threads that share one contact: the same bits with any number of them; the cores of a rank.
+!> Threads that share a contact: the same bits with any number of them; the cores of a rank.
 program test_threads
    use ehlwave_deformation_fft, only: deformation_fft_t
    use ehlwave_grid, only: grid_t, new_grid
@@ -41,7 +41,7 @@ contains
       call test%check(sum(own_cores()) >= 1, 'this process has a core')
    end subroutine check_shares
 
-   !> Who waits for another sees what that one wrote.
+   !> A waiting thread sees the other thread's writes.
    subroutine check_turns(threads)
       integer, intent(in) :: threads
       integer :: done, k, total

@@ -70,7 +70,7 @@ contains
       call test%check(log(error(1)/error(2))/log(2.0_dp) > 3.9_dp, 'fourth order inside')
    end subroutine check_order
 
-   !> A half domain gives the upper half of what the whole domain gives.
+   !> A half domain gives the upper half of the whole-domain result.
    subroutine check_half()
       type(grid_t) :: coarse, fine
       real(dp), allocatable :: whole(:, :), half(:, :)

@@ -92,7 +92,7 @@ contains
       end do
    end subroutine apply_to
 
-   !> What travels with the lubricant leaves no residual, however rough it is.
+   !> Patterns that travel with the lubricant leave no residual, at any roughness.
    subroutine check_travelling(m, s, is_fitted)
       integer, intent(in) :: m, s
       logical, intent(in) :: is_fitted

@@ -7,7 +7,7 @@ program test_two_waves
    implicit none (type, external)
 
    complex(dp), parameter :: i_unit = (0, 1)
-   ! about those of a contact with M = 100, L = 12.05 and a Ree-Eyring oil under slip
+   ! close to a contact with M = 100, L = 12.05 and a Ree-Eyring oil under slip
    type(wave_medium_t), parameter :: medium = wave_medium_t(rho=1.17_dp, drho=0.08_dp, h=0.14_dp, eps=[4e-3_dp, 5e-4_dp], &
                                                              kappa=0.7_dp, k=1.8_dp)
    type(test_t) :: test

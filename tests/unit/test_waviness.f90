@@ -35,7 +35,7 @@ contains
       ! a quarter wave ahead of the front the cosine is 0, half a wave ahead it is -10^(-2.5)
       shape = wave%shape_at([-2.375_dp, -2.25_dp, -2.5_dp, -2.5_dp, -2.5_dp], y, 0.0_dp)
       call test%check_close(shape(:2, 1), [0.0_dp, -10**(-2.5_dp)], 'ahead of the front', absolute=1e-15_dp)
-      ! after T the front stands at Xs + S T
+      ! after T the front is at Xs + S T
       wave = new_waviness(0.5_dp, 0.0_dp, .false., -2.5_dp, 1.5_dp)
       shape = wave%shape_at(x, y, 1.0_dp)
       call test%check_close(shape(2, 1), 1.0_dp, 'the front moves with the slip', relative=1e-14_dp)

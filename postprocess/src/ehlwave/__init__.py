@@ -1,9 +1,9 @@
 """Wavy and rough surfaces in elastohydrodynamic contacts.
 
 Answers in one call: :class:`Contact`. The programs from Python: :class:`Case`, :class:`Study`.
-Their results: :func:`read_results`, :func:`read_case`, and what draws, fits and tabulates them.
-Measured surfaces: :mod:`ehlwave.surface`. Stresses below them: :mod:`ehlwave.stress`. Bearings,
-gears and cams: :mod:`ehlwave.elements`. Modules are imported on first use.
+Their results: :func:`read_results`, :func:`read_case`, and functions that draw, fit and tabulate
+them. Measured surfaces: :mod:`ehlwave.surface`. Stresses below them: :mod:`ehlwave.stress`.
+Bearings, gears and cams: :mod:`ehlwave.elements`. Modules are imported on first use.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -15,11 +15,12 @@ if TYPE_CHECKING:
     from ehlwave import results as results
     from ehlwave import stress as stress
     from ehlwave import surface as surface
+    from ehlwave.cases.case import Case
+    from ehlwave.cases.study import Study
     from ehlwave.contact.bodies import Body
     from ehlwave.contact.data_sheet import Oil
     from ehlwave.contact.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
     from ehlwave.contact.heat_data import BodyHeat, Heat
-    from ehlwave.driver import Case, Study
     from ehlwave.errors import (
         ArgumentError,
         EhlwaveError,
@@ -52,7 +53,8 @@ _HOMES = {
     "contact.data_sheet": ("Oil",),
     "contact.heat_data": ("BodyHeat", "Heat"),
     "surface": ("deform_surface", "read_surface"),
-    "driver": ("Case", "Study"),
+    "cases.case": ("Case",),
+    "cases.study": ("Study",),
     "errors": (
         "ArgumentError",
         "EhlwaveError",
@@ -126,13 +128,13 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:  # noqa: ANN401
-    """Import what is asked for."""
+    """Import a module on request."""
     from ehlwave.extras import load
 
     if name == "read_case":
         return load("ehlwave.results.case_file").read_contact
     if name == "__version__":
-        return load("ehlwave.version").version()
+        return load("ehlwave.extras").version()
     if name in _PACKAGES:
         return load(f"ehlwave.{name}")
     if name in _HOME:

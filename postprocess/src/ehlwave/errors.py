@@ -1,13 +1,15 @@
-"""The errors a user is meant to see."""
+"""The errors a user is meant to see, and their advice: the nearest known word, a manual page."""
 
+import difflib
 import re
+from collections.abc import Iterable
 
 _UNPRINTABLE = re.compile("[\x00-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 """Control characters, marks that turn the direction of text, and bytes that are no text."""
 
 
 def printable(text: str, kept: str = "") -> str:
-    r"""Return text with what a terminal would obey, or cannot show, as its number (``\x1b``)."""
+    r"""Return text with control and unprintable characters as numbers (``\x1b``)."""
 
     def number(found: re.Match[str]) -> str:
         code = ord(found[0])
@@ -20,11 +22,36 @@ def printable(text: str, kept: str = "") -> str:
     return _UNPRINTABLE.sub(number, text)
 
 
+MANUAL = "postprocess/manual"
+"""The folder of the pages; the site of ``scripts/manual`` has them by the same names."""
+
+PAGES = {
+    "atlas": "howto.md#know-what-the-atlas-covers",
+    "bodies": "howto.md#enter-two-bodies",
+    "keys": "howto.md#enter-a-contact",
+    "oil": "howto.md#enter-an-oil-from-its-data-sheet",
+    "slip": "howto.md#enter-a-slide-to-roll-ratio",
+    "units": "howto.md#enter-units",
+}
+"""Pages by what they are about; a test looks whether the manual has them."""
+
+
+def see(topic: str) -> str:
+    """Return the end of a message: which page of the manual explains."""
+    return f" (manual: {MANUAL}/{PAGES[topic]})"
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """Return a question for the nearest known word, in brackets; '' when none is near."""
+    near = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
+    return f" (did you mean {near[0]}?)" if near else ""
+
+
 class EhlwaveError(Exception):
     """The base of all errors that this package raises on purpose.
 
-    Those that say that an argument makes no sense are a :class:`ValueError` besides. Control
-    characters of names and files stand in the message by their numbers.
+    Errors about arguments are also a :class:`ValueError`. The message shows control characters of
+    names and files by their numbers.
 
     Examples
     --------
@@ -56,10 +83,9 @@ class ArgumentError(EhlwaveError, ValueError):
 
 
 class ResultsError(EhlwaveError):
-    """A results file, or what it holds, cannot be used.
+    """A results file, or its content, cannot be used.
 
-    The message names the file and says what is wrong with it; the command prints it without a
-    traceback.
+    The message names the file and its problem; the command prints it without a traceback.
 
     Examples
     --------
@@ -75,7 +101,7 @@ class ResultsError(EhlwaveError):
 class SurfaceError(ResultsError):
     """A measured surface, operating conditions or a harmonic table cannot be used.
 
-    The message names the file or key, its value, and what to change.
+    The message names the file or key, its value, and the change needed.
 
     Examples
     --------
@@ -108,12 +134,12 @@ class RangeError(ResultsError, ValueError):
 class OutputError(ResultsError):
     """A file is not written, because something of its name must not be lost.
 
-    The message names it and says what to do.
+    The message names it and the action needed.
     """
 
 
 class ProgramError(ResultsError):
-    """A program is not there, or refused its input; the message has what it said.
+    """A program is missing, or refused its input; the message quotes it.
 
     Examples
     --------
@@ -129,7 +155,7 @@ class ProgramError(ResultsError):
 class StressError(ResultsError, ValueError):
     """Loads, depths or an oil film cannot be turned into stresses below the surface.
 
-    The message names the argument or file, its value, and what to change.
+    The message names the argument or file, its value, and the change needed.
 
     Examples
     --------
@@ -143,7 +169,7 @@ class StressError(ResultsError, ValueError):
 
 
 class ExtrapolationWarning(UserWarning):
-    """A number lies beyond what predictions were compared with; its error says by how much.
+    """A number is outside the compared range; its error grows with the distance from it.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Packages that are not always installed: each belongs to an extra of this package."""
+"""Metadata of the installation: the version, and packages that belong to an extra."""
 
 from importlib import import_module
 from types import ModuleType
@@ -33,7 +33,7 @@ def advice(error: ModuleNotFoundError) -> str | None:
 def load(module: str) -> ModuleType:
     """Import a module that needs an extra.
 
-    Raises ModuleNotFoundError if a package is missing; the message says which extra has it.
+    Raises ModuleNotFoundError if a package is missing; the message names the extra that has it.
     """
     try:
         return import_module(module)
@@ -41,3 +41,13 @@ def load(module: str) -> ModuleType:
         if text := advice(error):
             raise ModuleNotFoundError(text, name=error.name) from None
         raise
+
+
+def version() -> str:
+    """Return the version by the metadata of the installation."""
+    from importlib import metadata
+
+    try:
+        return metadata.version("ehlwave")
+    except metadata.PackageNotFoundError:
+        return "0+unknown"  # sources on the path, not installed

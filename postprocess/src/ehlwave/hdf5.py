@@ -1,7 +1,7 @@
-"""The one place of this package that opens HDF5 files of others.
+"""The only module of this package that opens HDF5 files from elsewhere.
 
-A file stands for itself: links into other files, data kept in others and views of others are
-refused, not followed. So are sizes that the file has no data for, before memory is asked for.
+A file must be complete in itself: links into other files, data kept in others and views of others
+are refused, not followed. So are sizes that the file has no data for, before memory is asked for.
 """
 
 from collections.abc import Iterator
@@ -58,7 +58,7 @@ def opened(path: str | Path) -> Iterator[h5py.File]:
 
 
 def read_dataset(path: str | Path, **options: Any) -> xr.Dataset:  # noqa: ANN401
-    """Return all of a file as a dataset; options are those of :func:`xarray.open_dataset`.
+    """Return all of a file as a dataset; options as for :func:`xarray.open_dataset`.
 
     Raises ResultsError as :func:`opened`.
     """
@@ -99,14 +99,14 @@ def check_is_file(file: Path) -> None:
 
 
 def reason(error: BaseException) -> str:
-    """Return what a library said, in one line of at most 200 characters."""
+    """Return the message of a library, in a line of at most 200 characters."""
     said = str(error.strerror) if isinstance(error, OSError) and error.strerror else str(error)
     name = "" if isinstance(error, OSError) else f"{type(error).__name__}: "
     return printable(" ".join(f"{name}{said}".split()))[:200]
 
 
 def _check(file: Path, inside: h5py.File) -> None:
-    """Refuse what is not in the file, and more data than it can hold."""
+    """Refuse data outside the file, and more data than it can hold."""
     seen: set[Any] = set()
     total, waiting = 0, [("", inside)]
     while waiting:

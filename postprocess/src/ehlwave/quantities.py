@@ -9,8 +9,7 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import SurfaceError, see
 
 UNITS = {
     "_m_per_s": "m/s",
@@ -33,7 +32,7 @@ UNITS = {
 
 @dataclass(frozen=True)
 class Plausible:
-    """What contacts have: values outside ``low`` to ``high`` are refused."""
+    """Range of values in contacts: values outside ``low`` to ``high`` are refused."""
 
     low: float
     high: float
@@ -103,12 +102,12 @@ def unit_of(name: str) -> str:
 
 
 def is_quantity(value: object) -> bool:
-    """Return whether a value brings a unit along, as those of pint."""
+    """Return whether a value brings a unit along, as pint's do."""
     return hasattr(value, "magnitude") and hasattr(value, "to")
 
 
 def plain(value: Any, name: str) -> Any:  # noqa: ANN401 - a number, an array, or a sequence of them
-    """Return a value in the unit of a quantity; what has no unit is as it was.
+    """Return a value in the unit of a quantity; values without unit stay unchanged.
 
     Parameters
     ----------
@@ -135,14 +134,15 @@ def plain(value: Any, name: str) -> Any:  # noqa: ANN401 - a number, an array, o
     return converted
 
 
-def number(value: Any, name: str, place: str = "") -> float:  # noqa: ANN401 - what users give
-    """Return a finite number in SI; a plain one only where contacts have such values.
+def number(value: Any, name: str, place: str = "") -> float:  # noqa: ANN401 - user input
+    """Return a finite number in SI; a plain number only within the range of contacts.
 
-    Raises SurfaceError if it is no number, or a plain one that no contact has: a prefix forgotten.
+    Raises SurfaceError if it is no number, or a plain number outside the range of contacts: a
+    prefix forgotten.
     """
     start = f"{place}: " if place else ""
     has_unit = is_quantity(value)
-    if type(value).__name__ in ("bool", "bool_"):  # of Python, and of numpy
+    if type(value).__name__ in ("bool", "bool_"):  # numbers of Python, and of numpy
         raise SurfaceError(f"{start}{name} = {value} is not a number")
     try:
         found = float(plain(value, name))
@@ -168,7 +168,7 @@ def in_si(value: Any, name: str) -> Any:  # noqa: ANN401 - a value, or a list of
 
 
 def question(value: float, name: str, start: str = "") -> None:
-    """Raise SurfaceError, which asks whether a prefix was forgotten, outside what is plausible."""
+    """Raise SurfaceError, which asks about a forgotten prefix, outside the plausible range."""
     known = PLAUSIBLE.get(name)
     if known is None or known.low <= value <= known.high or value <= 0 <= known.low:
         return

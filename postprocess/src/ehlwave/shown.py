@@ -15,14 +15,14 @@ def html_table(title: str, rows: Mapping[str, str]) -> str:
 
 
 class Shown:
-    """Shows what ``_shown_rows`` returns."""
+    """Displays the rows of ``_shown_rows``."""
 
     def _shown_rows(self) -> dict[str, str]:
-        """Return what is shown, short texts by their names."""
+        """Return the rows to show, short texts by their names."""
         raise NotImplementedError
 
     def __repr__(self) -> str:
-        """Return the rows in one line."""
+        """Return the rows in a single line."""
         inside = "; ".join(f"{name}: {text}" for name, text in self._shown_rows().items())
         return f"<{type(self).__name__} {inside}>"
 

@@ -10,9 +10,10 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
+from ehlwave.cases.keys import key_groups
+from ehlwave.cases.study import Study
 from ehlwave.choices import TRACTION_RATIOS
 from ehlwave.contact.heat_data import EMPTY_HEAT
-from ehlwave.driver import Study, key_groups
 from ehlwave.errors import ArgumentError, ProgramError, SurfaceError
 from ehlwave.inputs.key_values import values_of
 from ehlwave.inputs.namelist import read_namelist
@@ -71,7 +72,7 @@ class Traction:
 
     @property
     def warnings(self) -> list[str]:
-        """Return what the program warns of, each once, with the ratios where it does."""
+        """Return the warnings of the program, each once, with their ratios."""
         first: dict[str, str] = {}
         rows: dict[str, list[int]] = {}
         for row, text in enumerate(self.table.get("warning", ())):
@@ -125,7 +126,7 @@ def traction(
     Parameters
     ----------
     keys : mapping
-        Of one smooth contact, as of :class:`ehlwave.Case`; the ratios replace its slip. With
+        Keys of a smooth contact, as for :class:`ehlwave.Case`; the ratios replace its slip. With
         keys of ``&heat`` there is friction with heat; with ``shear_limit_over_pressure`` friction
         with this limit, besides.
     ratios : sequence of float
@@ -201,7 +202,7 @@ def traction(
 
 
 def _no_friction(warnings: "pd.Series[str]") -> str:
-    """Return why no case has a friction, with what the program says."""
+    """Return why no case has a friction, with the message of the program."""
     said = next((str(text).split("; ")[0] for text in warnings if text), "")
     return (
         "friction is not known at any ratio"

@@ -1,10 +1,9 @@
-"""The one place of this package that writes files: what is not a result of ours is never lost.
+"""The only module of this package that writes files: it never destroys files of others.
 
 A file is written under a temporary name in its own folder and renamed when it is whole. Results are
-known by the list ``.ehlwave-results`` in their folder, which has the SHA-256 digest of each: a
-command may replace them again. Everything else is left as it is: files of others, results that were
-changed since, links, folders, and what the command reads, by whatever name. Needs the standard
-library alone.
+listed in ``.ehlwave-results``in their folder, with the SHA-256 digest of each: a command may
+replace them again. Everything else is left unchanged: files of others, results changed since,
+links, folders, and the inputs of the command, by whatever name. Needs the standard library alone.
 """
 
 from __future__ import annotations
@@ -35,18 +34,18 @@ Identity = tuple[int, int]
 
 
 class Writer:
-    """Writes the files of one command.
+    """Writes the files of a command.
 
     Parameters
     ----------
     inputs : iterable of path
-        What the command reads: never replaced, also not by other names or links of it.
+        Inputs of the command: never replaced, not even by other names or links.
     overwrite : bool
         Whether files that are not results of ours are replaced too; links and inputs never are.
     """
 
     def __init__(self, inputs: Iterable[str | Path] = (), *, overwrite: bool = False) -> None:
-        """Note what the inputs are."""
+        """Note the inputs."""
         self._inputs = {
             found: Path(path) for path in inputs if (found := _identity(Path(path))) is not None
         }
@@ -122,7 +121,7 @@ class Writer:
             )
 
     def text(self, path: str | Path, text: str) -> Path:
-        """Write text as it is, in UTF-8; what has no place there by its number."""
+        """Write text unchanged, in UTF-8; unencodable characters by their numbers."""
         return self.data(path, text.encode("utf-8", "backslashreplace"))
 
     def data(self, path: str | Path, data: bytes) -> Path:
@@ -130,7 +129,7 @@ class Writer:
         return self.file(path, lambda part: part.write_bytes(data))
 
     def table(self, path: str | Path, table: pd.DataFrame, **options: Any) -> Path:  # noqa: ANN401
-        """Write a table as CSV; options are those of :meth:`pandas.DataFrame.to_csv`."""
+        """Write a table as CSV; options as for :meth:`pandas.DataFrame.to_csv`."""
         return self.text(path, table.to_csv(None, **({"index": False} | options)))
 
     def parquet(self, path: str | Path, table: pd.DataFrame) -> Path:
@@ -150,7 +149,7 @@ class Writer:
     def dataset(self, path: str | Path, data: xr.Dataset) -> Path:
         """Write a dataset as HDF5.
 
-        Raises ResultsError if it holds what the format has no place for, as a NUL in a text.
+        Raises ResultsError if its content does not fit the format, such as a NUL in a text.
         """
         try:
             return self.file(path, lambda part: data.to_netcdf(part, engine="h5netcdf"))
@@ -197,7 +196,7 @@ def remove_own_file(path: Path) -> bool:
 
 
 def is_result(path: Path) -> bool:
-    """Return whether a file is one that was written here, as it was written, and may be changed."""
+    """Return whether a file was written here, is unchanged, and may be replaced."""
     digest = _listed(path.parent).get(path.name)
     if digest is None or not path.stat().st_mode & stat.S_IWUSR:
         return False
@@ -230,7 +229,7 @@ def _is_list(place: Path) -> bool:
 
 
 def _read_list(place: Path) -> dict[str, str] | None:
-    """Return what a list of results has; None if it is not one."""
+    """Return the content of a list of results; None if it is not one."""
     try:
         there = place.lstat()
         if not stat.S_ISREG(there.st_mode) or there.st_size > LARGEST_LIST:
@@ -252,7 +251,7 @@ def _digest(path: Path) -> str:
 
 
 def _identity(path: Path) -> Identity | None:
-    """Return what a name leads to, None if to nothing."""
+    """Return the target of a name, None if there is none."""
     try:
         found = path.stat()
     except (OSError, ValueError):

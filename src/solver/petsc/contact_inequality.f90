@@ -1,4 +1,4 @@
-!> The discrete problem of one level as a variational inequality between vectors.
+!> The discrete problem of a level as a variational inequality between vectors.
 module ehlwave_contact_inequality
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_contact_problem, only: contact_problem_t
@@ -15,36 +15,36 @@ module ehlwave_contact_inequality
    implicit none (type, external)
    private
 
-   !> Unit of the vectors that PETSc sees. Its active set takes an unknown below 1e-8 for one at its bound; true
-   !> pressures near the free boundary are smaller than that, and then Newton's method loses its speed (measured:
-   !> M = 2000, D = 1, 257^2: the residual falls by 0.4 a step in place of quadratically).
+   !> Unit of the vectors that PETSc sees. Its active set treats an unknown below 1e-8 as at its bound. True
+   !> pressures near the free boundary are smaller, and Newton's method then slows down (M = 2000, D = 1, 257^2: the
+   !> residual falls by 0.4 per step, not quadratically).
    real(dp), parameter :: unit = 1e-8_dp
-   integer, parameter :: largest_trials = 40   ! of a step length
-   integer, parameter :: edge_passes = 3       ! of edges that follow their film: each gains two or three digits
+   integer, parameter :: largest_trials = 40   ! trials of a step length
+   integer, parameter :: edge_passes = 3       ! passes of edges that follow their film: each gains two or three digits
 
    !> P >= 0, F >= 0, P F = 0 at the unknown nodes, with the load balance for Delta, as vectors:
    !>
    !>     F = -R |A_ii|^(-1/4)   node (i, j), number (i - 1) rows + j - first_row + 1: flow order
    !>     F = load balance       last
    !>
-   !> The weights |A_ii|^(-1/4) are those of the best state when `return_to_best` was last called.
+   !> The weights |A_ii|^(-1/4) belong to the best state when `return_to_best` was last called.
    type, public :: contact_inequality_t
       integer :: n = 0                            !! unknowns
       real(dp), allocatable :: lower(:)           !! their bounds
       type(near_matrix_t) :: near_matrix
-      type(step_limit_t) :: limit                 !! of a step
+      type(step_limit_t) :: limit                 !! limit of a step
       real(dp), allocatable :: best(:)            !! vector of the best state judged since `start`
       type(solve_report_t) :: report              !! errors and status of the state judged last, and the history
       type(contact_problem_t), pointer, private :: problem => null()
       type(given_t), pointer, private :: given => null()
       integer, private :: rows = 0                ! unknown nodes along Y
       real(dp), private :: tolerance = 0
-      real(dp), private :: last_work = huge(1.0_dp)   ! of the grid, from which on no further step begins
+      real(dp), private :: last_work = huge(1.0_dp)   ! work of the grid, from which on no further step begins
       real(dp), private :: least = huge(1.0_dp)   ! worst error of the best state
       type(state_t), private :: state             ! visited last,
-      type(equations_t), private :: equations     ! and the equations there
+      type(equations_t), private :: equations     ! its equations
       type(state_t), private :: base              ! the point of linearisation,
-      type(equations_t), private :: base_equations   ! and the equations there
+      type(equations_t), private :: base_equations   ! its equations
       ! weights and scratch
       real(dp), allocatable, dimension(:, :), private :: weight, change, film_change, r_change
    contains
@@ -191,7 +191,7 @@ contains
       step = 0
    end function step_length
 
-   !> Status of the state of a vector, noted in the history; the best one is remembered.
+   !> Status of the state of a vector, noted in the history; the best is kept.
    integer function judge(self, x)
       class(contact_inequality_t), intent(inout) :: self
       real(dp), intent(in) :: x(:)
@@ -205,7 +205,7 @@ contains
       self%best = x
    end function judge
 
-   !> Whether the solve has taken what it may.
+   !> Whether the solve has reached its cap.
    pure logical function is_spent(self)
       class(contact_inequality_t), intent(in) :: self
       is_spent = self%problem%deformation%work >= self%last_work
@@ -230,7 +230,7 @@ contains
       end associate
    end subroutine visit
 
-   !> Let the pressures at the edges of a flooded domain follow their film, and add what that changes in the film.
+   !> Update the pressures at the edges of a flooded domain from their film, and add the change to the film.
    subroutine follow_edges(self)
       class(contact_inequality_t), intent(inout) :: self
       real(dp), allocatable :: at_edges(:, :), film_change(:, :)

@@ -19,7 +19,7 @@ module ehlwave_petsc_library
 
 contains
 
-   !> Path or name of the library: EHLWAVE_PETSC_LIBRARY names another one than that of this build.
+   !> Path or name of the library: EHLWAVE_PETSC_LIBRARY overrides the library of this build.
    function library() result(path)
       character(len=:), allocatable :: path
       integer :: length
@@ -32,7 +32,7 @@ contains
       end if
    end function library
 
-   !> The function that solves, for `petsc_binding`; not associated if the library cannot be had, and `reason` says why.
+   !> The function that solves, for `petsc_binding`; not associated if the library is missing, with the `reason`.
    subroutine find_solver(solver, reason)
       type(c_funptr), intent(out) :: solver
       character(len=:), allocatable, intent(out) :: reason
@@ -46,7 +46,7 @@ contains
       has_petsc = .not. allocated(error)
    end function has_petsc
 
-   !> An error that says how to get PETSc where it cannot be had. Ask before choosing its solver. Loads it.
+   !> Error with the way to get PETSc where it is missing. Call before choosing its solver. Loads it.
    subroutine require_petsc(error)
       type(error_t), allocatable, intent(out) :: error
       type(c_funptr) :: solver

@@ -1,8 +1,8 @@
-!> The discrete problem of one level solved by SNES of PETSc: an independent reference.
+!> The discrete problem of a level solved by SNES of PETSc: an independent reference.
 !>
 !> Shares with `newton` the discrete equations only: Newton's method, active set, line search, GMRES and the
 !> incomplete factors are PETSc's (SNESVINEWTONRSLS, Benson and Munson 2006). Ask `require_petsc` first whether PETSc
-!> can be had; without it a solve ends where it began, as a failed one.
+!> is available; without it a solve fails at its start.
 module ehlwave_petsc_solver
    use ehlwave_contact_inequality, only: contact_inequality_t
    use ehlwave_hierarchy, only: hierarchy_t
@@ -20,10 +20,10 @@ module ehlwave_petsc_solver
    !> round goes on from the best state without line search.
    type, extends(level_solver_t), public :: petsc_solver_t
       type(step_limit_t) :: limit
-      real(dp) :: linear_tolerance = 1e-6_dp     !! of GMRES, relative to the right side
-      integer :: largest_krylov = 400            !! GMRES steps of one Newton step
+      real(dp) :: linear_tolerance = 1e-6_dp     !! tolerance of GMRES, relative to the right side
+      integer :: largest_krylov = 400            !! GMRES steps per Newton step
       integer :: restart = 100
-      integer :: fill_levels = 1                 !! of the incomplete factors
+      integer :: fill_levels = 1                 !! fill of the incomplete factors
       type(contact_inequality_t), private :: inequality
    contains
       procedure :: init

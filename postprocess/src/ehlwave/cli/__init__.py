@@ -17,8 +17,7 @@ from ehlwave.cli.command_line import Parser, as_options, with_ratio
 from ehlwave.cli.named_files import inputs
 from ehlwave.cli.terminal import plain_text_only
 from ehlwave.errors import ResultsError, printable
-from ehlwave.extras import advice
-from ehlwave.version import version
+from ehlwave.extras import advice, version
 from ehlwave.writing import Writer
 
 BAD_INPUT = 2

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterator
 from typing import NoReturn, TextIO
 
-from ehlwave.hints import did_you_mean
+from ehlwave.errors import did_you_mean
 from ehlwave.inputs.slip import RATIO
 
 

@@ -11,8 +11,7 @@ from typing import NamedTuple
 from ehlwave.choices import chosen
 from ehlwave.contact.oils import Oil, log_viscosity
 from ehlwave.contact.viscosity_grade import Walther
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import SurfaceError, see
 
 SECANT_PA = 2e8
 """Gold's alpha is that of a straight line from ambient pressure to here."""

@@ -6,8 +6,7 @@ from typing import Any
 
 from ehlwave.contact.heat_data import BodyHeat
 from ehlwave.contact.materials import material as known_material
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import SurfaceError, see
 from ehlwave.quantities import is_quantity, number
 
 FLAT = math.inf

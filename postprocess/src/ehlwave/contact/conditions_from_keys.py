@@ -11,9 +11,8 @@ from ehlwave.contact.line_contact import LINE_KEYS, LOAD_KEY
 from ehlwave.contact.moes_parameters import DIMENSIONAL_KEYS, moes_values
 from ehlwave.contact.oil_keys import OIL_KEYS
 from ehlwave.contact.starvation import OIL_OVER_FLOODED
-from ehlwave.errors import SurfaceError
+from ehlwave.errors import SurfaceError, did_you_mean, see
 from ehlwave.extras import load
-from ehlwave.hints import did_you_mean, see
 from ehlwave.inputs.slip import RATIO, SLIP, refuse_both, slip_of
 from ehlwave.quantities import PLAUSIBLE, number
 

@@ -21,8 +21,7 @@ from ehlwave.contact.viscosity_grade import (
     Walther,
     hot_viscosity,
 )
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import did_you_mean, see
+from ehlwave.errors import SurfaceError, did_you_mean, see
 from ehlwave.quantities import number
 
 DENSITY_K = 288.15

@@ -11,8 +11,7 @@ from typing import Any
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.contact.heat_data import EMPTY_HEAT
 from ehlwave.contact.starvation import OIL_OVER_FLOODED
-from ehlwave.errors import SurfaceError, printable
-from ehlwave.hints import did_you_mean
+from ehlwave.errors import SurfaceError, did_you_mean, printable
 from ehlwave.inputs.key_classes import HEAT_DATA, OF_THE_SOLUTION, OF_WAVES, WITHOUT_EFFECT
 from ehlwave.inputs.key_values import values_of
 from ehlwave.inputs.namelist import Namelist, read_namelist

@@ -3,8 +3,7 @@
 from typing import NamedTuple
 
 from ehlwave.contact.heat_data import BodyHeat
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import did_you_mean, see
+from ehlwave.errors import SurfaceError, did_you_mean, see
 
 
 class Material(NamedTuple):

@@ -11,8 +11,7 @@ from scipy.special import ellipe
 from ehlwave.contact.line_contact import LOAD_KEY, line_values
 from ehlwave.contact.oils import Oil
 from ehlwave.contact.scales import ellipticity
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import SurfaceError, see
 
 DIMENSIONAL_KEYS = (
     "radius_x_m",

@@ -14,8 +14,7 @@ from ehlwave.contact.conditions_from_keys import KNOWN_KEYS, unknown_key
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.contact.line_contact import LOAD_KEY
 from ehlwave.contact.moes_parameters import ROUND_OFF
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import SurfaceError, see
 from ehlwave.inputs.slip import RATIO, SLIP, slip_of
 from ehlwave.quantities import number, plain
 

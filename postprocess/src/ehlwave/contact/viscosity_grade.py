@@ -9,8 +9,7 @@ from dataclasses import dataclass
 
 from scipy.optimize import brentq
 
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import SurfaceError, see
 
 COLD_K, HOT_K = 313.15, 373.15
 """40 and 100 C, where data sheets state viscosities."""

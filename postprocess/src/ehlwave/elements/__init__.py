@@ -1,6 +1,6 @@
 """Machine elements: from catalogue data to the contacts of bearings, gears, cams and test rigs.
 
-One module an element. Each has its contacts, and one call that answers for all of them:
+One module an element. Each has its contacts, and a method that computes all of them:
 ``over_load_zone`` of bearings, ``along_path`` of gears, ``over_cycle`` of cams, ``over_speeds`` of
 test rigs. Modules are imported on first use.
 """
@@ -63,7 +63,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:  # noqa: ANN401
-    """Import what is asked for."""
+    """Import a module on request."""
     from importlib import import_module
 
     if name in _HOMES:

@@ -13,10 +13,10 @@ class AngularContactBallBearing(BallBearing):
     Under thrust alone F = Z K sin(alpha) [A (cos(alpha_0)/cos(alpha) - 1)]^(3/2) with
     A = (f_i + f_o - 1) D_w (Harris and Kotzalas, *Essential Concepts of Bearing Technology*,
     chapter 7); with a radial load the equilibrium of ISO 16281:2008. Radii: gamma has the contact
-    angle under load. K is that of the angle without load.
+    angle under load. K belongs to the angle without load.
 
-    Assumptions: those of :class:`DeepGrooveBallBearing`; each ball rolls at its own contact angle;
-    spin is left out.
+    Assumptions: as :class:`DeepGrooveBallBearing`; each ball rolls at its own contact angle; spin
+    is left out.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ class AngularContactBallBearing(BallBearing):
     material : str
         Of rings and balls.
     elastic_modulus_pa, poisson_ratio : float, optional
-        In place of those of the material.
+        In place of the material's.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Answers of one contact of an element, as a row of a table; missing numbers have a reason."""
+"""Answers of a contact of an element, as a row of a table; missing numbers have a reason."""
 
 from __future__ import annotations
 
@@ -33,12 +33,13 @@ REFUSALS = (RangeError, StressError, ProgramError)
 
 @dataclass(frozen=True)
 class Questions:
-    """What is asked of every contact of an element.
+    """Questions for every contact of an element.
 
     Parameters
     ----------
     trace, second : surface, optional
-        Roughness of the first body and of the other one, as :func:`ehlwave.read_surface` reads it.
+        Roughness of the first body and of the second body, as :func:`ehlwave.read_surface` reads
+        it.
     heat : bool or Heat, optional
         True: films and friction with heat, by the own data of oil and bodies.
     stress : bool
@@ -83,20 +84,20 @@ class Questions:
 
     @property
     def mean_ra_m(self) -> float:
-        """Return the mean of Ra of both surfaces; a smooth one has 0."""
+        """Return the mean of Ra of both surfaces; a smooth surface has 0."""
         heights = [one.height for one in (self.trace, self.second) if one is not None]
         return sum(float(np.mean(np.abs(h - h.mean()))) for h in heights) / 2 or math.nan
 
 
 def row_of(place: ElementContact, asked: Questions) -> Row:
-    """Return the numbers of one contact by their columns.
+    """Return the numbers of a contact by their columns.
 
     Parameters
     ----------
     place : ElementContact
         The contact.
     asked : Questions
-        What else than the film.
+        Options besides the film.
     """
     row: Row = {
         "radius_m": place.radius_x_m,
@@ -130,7 +131,7 @@ def row_of(place: ElementContact, asked: Questions) -> Row:
 def _film_without_heat(
     place: ElementContact, asked: Questions, row: Row, reasons: list[str]
 ) -> None:
-    """Add the film without heat; its doubts are those of the film with heat, or of none."""
+    """Add the film without heat; its warnings belong to the film with heat, or to none."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ExtrapolationWarning)

@@ -1,4 +1,4 @@
-"""What ball bearings have in common: grooves, stiffness and loads of balls."""
+"""Common parts of ball bearings: grooves, stiffness and loads of balls."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ehlwave.errors import SurfaceError
 
 
 class BallBearing(RollingBearing):
-    """A single-row ball bearing; its kinds know the contact angle without load."""
+    """A single-row ball bearing; subclasses define the contact angle without load."""
 
     free_angle_deg: float = 0.0
     """Contact angle without load."""
@@ -31,7 +31,7 @@ class BallBearing(RollingBearing):
     """Radial internal clearance, of the diameter."""
 
     def _take(self, diameter: Any, pitch: Any, balls: Any, conformity: Any, material: Any) -> None:  # noqa: ANN401
-        """Check and keep what all ball bearings have."""
+        """Check and keep the arguments of all ball bearings."""
         name = type(self).__name__
         self.element_diameter_m = above(diameter, "ball_diameter_m", name, example="0.012")
         self.pitch_diameter_m = above(
@@ -106,7 +106,7 @@ class BallBearing(RollingBearing):
         Parameters
         ----------
         radial_load_n, axial_load_n : float
-            Loads, one of them above 0.
+            Loads, at least one above 0.
         is_free_to_tilt : bool
             Whether the rings tilt until no moment is left; otherwise they stay parallel.
         """

@@ -23,7 +23,7 @@ class BallOnDisc(TestRig):
     material : str or pair of str
         Of ball and disc.
     elastic_modulus_pa, poisson_ratio : float, optional
-        In place of those of the materials.
+        In place of the materials'.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""What rolling bearings have in common: kinematics, contacts, load zone, power."""
+"""Common parts of rolling bearings: kinematics, contacts, load zone, power."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ EDGE = 0.95
 
 
 class RollingBearing:
-    """A bearing of balls or rollers; its kinds know bodies and loads."""
+    """A bearing of balls or rollers; subclasses define bodies and loads."""
 
     element_diameter_m: float
     """Diameter of balls, or of rollers at their middle."""
@@ -44,7 +44,7 @@ class RollingBearing:
     """Errors of estimated inner dimensions, relative; of counts absolute."""
 
     def bodies(self, ring: str, contact_angle_deg: float) -> tuple[Body, Body]:
-        """Return race and element at a contact; the kinds of bearings know them."""
+        """Return race and element at a contact; subclasses define them."""
         raise NotImplementedError
 
     def length_m(self) -> float | None:
@@ -182,7 +182,7 @@ class RollingBearing:
         Parameters
         ----------
         points : int
-            Not used: places are those of the elements.
+            Not used: the elements define the places.
         rings : tuple of str
             The rings.
         **given
@@ -213,7 +213,7 @@ class RollingBearing:
         **asked
             ``radial_load_n``, ``axial_load_n``; ``trace``, ``second``, ``heat``, ``stress``,
             ``oil_over_flooded``, ``reading`` of :class:`ehlwave.elements.answers.Questions`. The
-            trace is of the race, the second one of the element.
+            trace is of the race, the second of the element.
 
         Returns
         -------

@@ -61,7 +61,7 @@ class Inside:
         }
 
     def varied(self, conformity: tuple[float, float]) -> list[dict[str, Any]]:
-        """Return arguments with one dimension after the other at its upper error.
+        """Return arguments with each dimension in turn at its upper error.
 
         Parameters
         ----------

@@ -44,8 +44,8 @@ class CamFollower(CamMotion):
     Parameters
     ----------
     angle_deg, lift_m : array_like
-        Lift over one turn of the cam, evenly spread or not; the last angle need not repeat the
-        first one. A periodic cubic spline goes through them.
+        Lift over one turn of the cam, at even or uneven angles; the last angle need not repeat the
+        first. A periodic cubic spline goes through them.
     base_radius_m : float
         Of the base circle, r_b.
     width_m : float
@@ -57,7 +57,7 @@ class CamFollower(CamMotion):
     material : str or pair of str
         Of cam and follower.
     elastic_modulus_pa, poisson_ratio : float, optional
-        In place of those of the materials.
+        In place of the materials'.
 
     Examples
     --------

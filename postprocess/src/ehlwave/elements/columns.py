@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 
 class Column(NamedTuple):
-    """What a column holds."""
+    """Content of a column."""
 
     unit: str
     meaning: str

@@ -13,9 +13,9 @@ class DeepGrooveBallBearing(BallBearing):
     Radii: Rx = (D_w/2)(1 -+ gamma), gamma = D_w/d_m, 1/Ry = 2/D_w - 1/(f D_w). Loads: the
     equilibrium of the inner ring, K (d cos - s/2)^(3/2), ISO 16281:2008. Speeds: no slip.
 
-    Assumptions: rings keep their form; one ball stands in the direction of the load; no
-    centrifugal loads; both surfaces of a contact have the same speed, so that friction by the
-    curvature of the groove and by spin is left out.
+    Assumptions: rings keep their form; a ball lies in the direction of the load; no centrifugal
+    loads; both surfaces of a contact have the same speed, so that friction by the curvature of the
+    groove and by spin is left out.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ class DeepGrooveBallBearing(BallBearing):
     material : str
         Of rings and balls.
     elastic_modulus_pa, poisson_ratio : float, optional
-        In place of those of the material.
+        In place of the material's.
 
     Examples
     --------

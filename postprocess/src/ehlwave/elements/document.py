@@ -24,8 +24,7 @@ from ehlwave.elements.place import ElementContact
 from ehlwave.elements.spur_gear_pair import SpurGearPair
 from ehlwave.elements.tapered_roller_bearing import TaperedRollerBearing
 from ehlwave.elements.two_disc import TwoDisc
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import did_you_mean
+from ehlwave.errors import SurfaceError, did_you_mean
 
 CALLS: dict[str, tuple[type, str]] = {
     kind.__name__: (kind, call)
@@ -56,7 +55,7 @@ BOUNDARY = ("bore_m", "outside_m", "width_m")
 
 @dataclass(frozen=True)
 class ElementDocument:
-    """An element and what is asked of it.
+    """An element and its questions.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""What spur and helical pairs have in common: places along the path, table, power."""
+"""Common parts of spur and helical pairs: places along the path, table, power."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ FINE = 2001
 
 
 class GearPair:
-    """A pair of involute gears; its kinds know the helix angle."""
+    """A pair of involute gears; subclasses define the helix angle."""
 
     geometry: InvolutePair
     """Of the involutes."""
@@ -37,7 +37,7 @@ class GearPair:
     """Materials of pinion and wheel, as arguments of :class:`ehlwave.Body`."""
 
     def _take(self, given: Mapping[str, Any], helix_angle_deg: float) -> None:
-        """Check and keep what all gear pairs have."""
+        """Check and keep the arguments of all gear pairs."""
         name = type(self).__name__
         teeth = pair(given["teeth"], "teeth", name)
         distance = given["centre_distance_m"]
@@ -63,7 +63,7 @@ class GearPair:
         both = (material, material) if isinstance(material, str) else tuple(material)
         constants = (given["elastic_modulus_pa"], given["poisson_ratio"])
         self.elastic = (elastic_of(both[0], *constants), elastic_of(both[1], *constants))
-        _ = self.geometry.path_m  # refuses what does not mesh
+        _ = self.geometry.path_m  # refuses pairs that do not mesh
 
     @property
     def overlap_ratio(self) -> float:
@@ -117,8 +117,7 @@ class GearPair:
         pinion_torque_n_m, pinion_speed_rpm, oil
             Torque and speed of the pinion, and the oil.
         load_factor : float
-            K by which loads are larger than those of the torque, as K_A K_v K_Hbeta K_Halpha of
-            ISO 6336.
+            Factor K on loads over the loads of the torque, as K_A K_v K_Hbeta K_Halpha of ISO 6336.
         options : mapping, optional
             Options of :class:`ehlwave.Contact`.
         """
@@ -244,7 +243,8 @@ class GearPair:
     ) -> tuple[float, float]:
         """Return mean powers of sliding and rolling: integrals over the path over p_bt.
 
-        Between places friction and rolling resistance are straight lines; NaN where one is unknown.
+        Between places friction and rolling resistance are straight lines; NaN where a value is
+        unknown.
         """
         s = found["distance_m"].values
         fine = np.linspace(s[0], s[-1], FINE)

@@ -1,4 +1,4 @@
-"""Checks of what users give for an element: numbers in SI, above a bound, of a pair."""
+"""Checks of the input for an element: numbers in SI, above a bound, of a pair."""
 
 from typing import Any
 
@@ -61,7 +61,7 @@ def count(value: Any, name: str, place: str, least: int = 1) -> int:  # noqa: AN
 
 
 def pair(value: Any, name: str, place: str) -> tuple[float, float]:  # noqa: ANN401
-    """Return two numbers in SI; one number stands for both.
+    """Return two numbers in SI; a single number applies to both.
 
     Parameters
     ----------

@@ -8,14 +8,14 @@ from ehlwave.elements.gear_pair import GearPair
 class HelicalGearPair(GearPair):
     """A pair of external helical gears.
 
-    Radii are those of the section normal to the contact lines, s/cos(beta_b) and
-    (N - s)/cos(beta_b). Speeds are those of the transverse section: the direction of sliding and
-    rolling, normal to the plane of action, is normal to the contact lines, too. With an overlap
-    ratio of 1 or more the load per length is the mean one, F_t/(b eps_alpha); below, it is weighted
-    with the load of spur gears (:mod:`ehlwave.elements.involute`).
+    Radii belong to the section normal to the contact lines, s/cos(beta_b) and (N - s)/cos(beta_b).
+    Speeds belong to the transverse section: the direction of sliding and rolling, normal to the
+    plane of action, is normal to the contact lines, too. With an overlap ratio of 1 or more the
+    load per length is the mean one, F_t/(b eps_alpha); below, it is weighted with the load of spur
+    gears (:mod:`ehlwave.elements.involute`).
 
-    Assumptions: those of :class:`SpurGearPair`; the load is even along the contact lines, whose
-    total length counts as constant.
+    Assumptions: as :class:`SpurGearPair`; the load is even along the contact lines, whose total
+    length counts as constant.
 
     Parameters
     ----------

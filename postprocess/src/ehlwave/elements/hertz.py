@@ -1,8 +1,8 @@
 """Hertz contacts in closed form: semi-axes, pressure and approach of points, pressure of lines.
 
 Sources: Hertz (1882); Johnson, *Contact Mechanics* (1985), sections 4.1 and 4.2; the elliptic
-integrals are those of :mod:`ehlwave.contact.scales`. E' is 2/((1 - nu1^2)/E1 + (1 - nu2^2)/E2),
-twice the E* of Johnson.
+integrals come from :mod:`ehlwave.contact.scales`. E' is 2/((1 - nu1^2)/E1 + (1 - nu2^2)/E2), twice
+the E* of Johnson.
 """
 
 import math

@@ -21,7 +21,7 @@ def inside_error(own: ElementContact, varied: Sequence[ElementContact]) -> float
     own : ElementContact
         Most loaded contact of the estimated dimensions.
     varied : sequence of ElementContact
-        The same with one dimension after the other at its error.
+        Evaluate with each dimension in turn at its error.
     """
     film = film_by_formula(own)
     return math.hypot(*(film_by_formula(one) / film - 1 for one in varied))

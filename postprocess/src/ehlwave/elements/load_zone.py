@@ -1,9 +1,9 @@
 """Loads of the elements of a bearing by the equilibrium of its inner ring.
 
 ISO 16281:2008 (equations 9 to 18): balls of a ring that is displaced by (radial, axial, tilt) are
-pressed by the distance of both groove centres less that of the unloaded bearing, and bear
-K delta^(3/2); rollers bear c_L delta^(10/9). Rings keep their form, elements do not slide, and
-there are no centrifugal loads.
+pressed by the distance of both groove centres less the distance in the unloaded bearing, and bear K
+delta^(3/2); rollers bear c_L delta^(10/9). Rings keep their form, elements do not slide, and there
+are no centrifugal loads.
 """
 
 from collections.abc import Callable
@@ -74,7 +74,7 @@ def radial_zone(
 ) -> LoadZone:
     """Return the zone of a radial load: sum of K (d cos - s/2)^n cos = F.
 
-    One element stands in the direction of the load.
+    An element lies in the direction of the load.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ def radial_zone(
 
 @dataclass(frozen=True)
 class Grooves:
-    """What the approach of two grooved rings depends on.
+    """Parameters of the approach of two grooved rings.
 
     Attributes
     ----------
@@ -251,5 +251,5 @@ def tapered_zone(
 def _rigid(
     press_at: Callable[[Floats, Floats], Floats], moved: Floats, contact_rad: float
 ) -> Callable[[Floats], tuple[Floats, Floats]]:
-    """Return approaches of displaced cones, with one contact angle everywhere."""
+    """Return approaches of displaced cones, with the same contact angle everywhere."""
     return lambda turn: (press_at(moved, turn), np.full_like(turn, contact_rad))

@@ -1,4 +1,4 @@
-"""Materials of elements: a name, or elastic constants that stand before those of the name."""
+"""Materials of elements: a name, or elastic constants, which override the name."""
 
 from typing import Any
 
@@ -8,14 +8,14 @@ from ehlwave.contact.materials import material as known_material
 def elastic_of(
     material: str, elastic_modulus_pa: float | None = None, poisson_ratio: float | None = None
 ) -> dict[str, Any]:
-    """Return arguments of :class:`ehlwave.Body`; heat is that of the named material.
+    """Return arguments of :class:`ehlwave.Body`; thermal properties come from the named material.
 
     Parameters
     ----------
     material : str
         As of :class:`ehlwave.Body`.
     elastic_modulus_pa, poisson_ratio : float, optional
-        In place of those of the material.
+        In place of the material's.
 
     Examples
     --------

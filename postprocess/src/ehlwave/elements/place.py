@@ -1,4 +1,4 @@
-"""One contact of a machine element: where it is, its bodies, load and speeds."""
+"""A contact of a machine element: place, bodies, load and speeds."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from ehlwave.operating_point import Contact
 
 @dataclass(frozen=True)
 class ElementContact:
-    """One contact of an element.
+    """A contact of an element.
 
     Attributes
     ----------
     bodies : pair of Body
-        The rough one first: the race, the pinion, the cam.
+        The rough body first: the race, the pinion, the cam.
     oil : Oil
         At the temperature of the inlet.
     speeds_m_per_s : pair of float

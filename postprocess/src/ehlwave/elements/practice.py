@@ -3,8 +3,8 @@
 - kappa of ISO 281:2007: viscosity over the reference viscosity nu1, 45000 n^-0.83 dm^-0.5 below
   1000 rpm and 4500 n^-0.5 dm^-0.5 above, in mm2/s, rpm and mm.
 - Specific film of ISO/TR 15144-1: h = 1600 rho G^0.6 U^0.7 W^-0.13 S^0.22 over the mean of both
-  Ra, in um and mm. The report itself could not be opened, in no edition; the formula is that of
-  the first edition (2010) from memory, and so are its coefficients.
+  Ra, in um and mm. The report itself was not accessible; formula and coefficients are quoted from
+  memory of the first edition (2010).
 - Stribeck's estimate of the largest load in a bearing: 5 F/Z (balls), 4 F/Z (rollers).
 """
 
@@ -21,7 +21,7 @@ def reference_viscosity_mm2_per_s(speed_rpm: float, mean_diameter_m: float) -> f
     Parameters
     ----------
     speed_rpm : float
-        Of one ring relative to the other one.
+        Of a ring relative to the other.
     mean_diameter_m : float
         Mean diameter of the bearing.
 

@@ -1,4 +1,4 @@
-"""The report of an element: text, JSON, and one HTML file with its figures inside."""
+"""The report of an element: text, JSON, and an HTML file that includes its figures."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ STYLE = (
 
 
 def report_text(table: xr.Dataset) -> str:
-    """Return what a terminal shows: worst places, powers, figures of practice, refusals.
+    """Return the text for a terminal: worst places, powers, figures of practice, refusals.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def reasons(table: xr.Dataset) -> list[str]:
 
 
 def _kinds(table: xr.Dataset, column: str) -> list[str]:
-    """Return texts of a column; those that differ in numbers alone count as one kind."""
+    """Return texts of a column; texts that differ in numbers alone count as equal."""
     first: dict[str, str] = {}
     counts: dict[str, int] = {}
     for text in table[column].values.ravel():
@@ -96,7 +96,7 @@ def report_json(table: xr.Dataset) -> str:
 
 
 def report_html(table: xr.Dataset, inputs: str = "", drawing_svg: str = "") -> str:
-    """Return the report as one HTML page.
+    """Return the report as a single HTML page.
 
     Parameters
     ----------
@@ -188,7 +188,7 @@ def _strings(attributes: dict[Any, Any]) -> dict[str, str]:
 
 
 def _plain(value: Any) -> Any:  # noqa: ANN401
-    """Return lists, numbers and texts of the standard library; null for what is not finite."""
+    """Return lists, numbers and texts of the standard library; null for NaN and infinity."""
     if isinstance(value, np.ndarray):
         value = value.tolist()
     if isinstance(value, list):

@@ -1,4 +1,4 @@
-"""What roller bearings have in common: lines, and stiffness by ISO 16281."""
+"""Common parts of roller bearings: lines, and stiffness by ISO 16281."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ ISO_MODULUS_PA = 2.1e11 / (1 - 0.3**2)
 
 
 class RollerBearing(RollingBearing):
-    """A single-row roller bearing; its kinds know the cone angles."""
+    """A single-row roller bearing; subclasses define the cone angles."""
 
     roller_length_m: float
     """Effective length."""
 
     def _take(self, given: dict[str, Any]) -> None:
-        """Check and keep what all roller bearings have."""
+        """Check and keep the arguments of all roller bearings."""
         name = type(self).__name__
         self.element_diameter_m = above(
             given["roller_diameter_m"], "roller_diameter_m", name, example="0.011"

@@ -2,9 +2,9 @@
 
 N. Biboulet and L. Houpert, *Hydrodynamic force and moment in pure rolling lubricated contacts*,
 Proc. IMechE Part J, 224 (2010): part 1, line contacts, 765-775, formula 42; part 2, point
-contacts, 777-787, formula 32. The force is the one at each of both surfaces, so that the power
-is twice force times mean speed. Flooded, isothermal; fitted from M = 0.2 to 200 (lines) and 800
-(points), L of 4 to 16.
+contacts, 777-787, formula 32. The force acts at each of both surfaces, so that the power is twice
+force times mean speed. Flooded, isothermal; fitted from M = 0.2 to 200 (lines) and 800 (points), L
+of 4 to 16.
 """
 
 import math

@@ -33,7 +33,7 @@ class SpurGearPair(GearPair):
     material : str or pair of str
         Of pinion and wheel.
     elastic_modulus_pa, poisson_ratio : float, optional
-        In place of those of the material.
+        In place of the material's.
 
     Examples
     --------

@@ -1,9 +1,9 @@
 """Starved or not: a band of films, or an estimate from the oil layer.
 
 R, film over flooded film, follows from r, the oil offered over the oil that the flooded contact
-passes: R = r (1 + r^g)^(-1/g) (:mod:`ehlwave.contact.starvation`). Without r nobody knows the film;
+passes: R = r (1 + r^g)^(-1/g) (:mod:`ehlwave.contact.starvation`). Without r the film is unknown;
 tables of contacts that roll have the film at r = 0.3 as lower end of a band whose upper end is the
-flooded film. g is that of the law, outside its range of contacts continued: at r = 0.3, R is 0.3
+flooded film. g comes from the law, outside its range of contacts continued: at r = 0.3, R is 0.3
 within 2 % for any g above 2.5, since hardly any oil is pushed aside.
 """
 

@@ -23,7 +23,7 @@ def case_table(places: Sequence[ElementContact]) -> pd.DataFrame:
     Parameters
     ----------
     places : sequence of ElementContact
-        From ``contacts`` or ``contact_at`` of elements; all of one kind, points or lines.
+        From ``contacts`` or ``contact_at`` of elements; either all points or all lines.
 
     Examples
     --------
@@ -72,7 +72,7 @@ def write_sweep(
     Parameters
     ----------
     places : sequence of ElementContact
-        As of :func:`case_table`, with one oil.
+        As :func:`case_table`, with a single oil.
     folder : path
         Of both files.
     heat : bool
@@ -80,7 +80,7 @@ def write_sweep(
     keys : mapping, optional
         More keys by their groups, such as ``{"solver": {"accuracy": 0.01}}``.
     writer : Writer, optional
-        What may be replaced.
+        Existing files to overwrite.
     """
     oil, out = places[0].oil, Writer() if writer is None else writer
     groups: dict[str, dict[str, Any]] = {"lubricant": {"roelands_index": oil.roelands_index}}

@@ -50,7 +50,7 @@ def table_of(
     coordinate: str,
     coordinates: Mapping[str, Sequence[Any]],
 ) -> xr.Dataset:
-    """Return the answers of contacts over one coordinate.
+    """Return the answers of contacts over a coordinate.
 
     Places that are alike are answered once.
 

@@ -15,9 +15,9 @@ class TaperedRollerBearing(RollerBearing):
     """A single-row tapered roller bearing, at the mean section.
 
     With the half angle nu = (alpha_o - alpha_i)/2 of the roller's cone and the angle
-    beta = (alpha_o + alpha_i)/2 of its axis, radii normal to the lines are those of the section
-    over the cosine of each cone: D/(2 cos(nu)), (d_m - D cos(beta))/(2 cos(alpha_i)) and
-    (d_m + D cos(beta))/(2 cos(alpha_o)). gamma = D cos(beta)/d_m.
+    beta = (alpha_o + alpha_i)/2 of its axis, radii normal to the lines are the section radii over
+    the cosine of each cone: D/(2 cos(nu)), (d_m - D cos(beta))/(2 cos(alpha_i)) and (d_m + D
+    cos(beta))/(2 cos(alpha_o)). gamma = D cos(beta)/d_m.
 
     Assumptions: apexes of all cones meet, so that the rollers roll; the contact at the rib is left
     out, and with it a part of the friction; both races bear the same load, which holds for a rib
@@ -102,7 +102,7 @@ class TaperedRollerBearing(RollerBearing):
         Parameters
         ----------
         radial_load_n, axial_load_n : float
-            Loads; the axial one is needed, since a radial load pushes the rings apart.
+            Loads; the axial load is needed, since a radial load pushes the rings apart.
         """
         name = type(self).__name__
         radial = at_least(radial_load_n, "radial_load_n", name)

@@ -1,4 +1,4 @@
-"""What test rigs have in common: one contact, its speeds, and tables over the speed."""
+"""Common parts of test rigs: a contact, its speeds, and tables over the speed."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ehlwave.quantities import number
 
 
 class TestRig:
-    """A rig of one contact; its kinds know the bodies."""
+    """A rig of a single contact; subclasses define the bodies."""
 
     __test__ = False  # no test of pytest
     bodies: tuple[Body, Body]
@@ -45,7 +45,7 @@ class TestRig:
         oil : Oil
             At the temperature of the inlet.
         slide_to_roll_ratio : float
-            (u1 - u2) over the mean speed; the first body is the faster one above 0.
+            (u1 - u2) over the mean speed; above 0 the first body is faster.
         options : mapping, optional
             Options of :class:`ehlwave.Contact`.
         """

@@ -28,7 +28,7 @@ class TwoDisc(TestRig):
     material : str or pair of str
         Of both discs.
     elastic_modulus_pa, poisson_ratio : float, optional
-        In place of those of the materials.
+        In place of the materials'.
 
     Examples
     --------

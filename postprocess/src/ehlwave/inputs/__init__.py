@@ -1,1 +1,1 @@
-"""Input files of the programs: their keys, and what predictions do with them."""
+"""Input files of the programs: their keys, and their use in predictions."""

@@ -1,4 +1,4 @@
-"""What each key of the programs is about: groups of keys, which do not overlap.
+"""Groups of the keys of the programs by subject; the groups do not overlap.
 
 A test holds them to ``ehlwave-case --keys``.
 """

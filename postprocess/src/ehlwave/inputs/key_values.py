@@ -19,7 +19,7 @@ def values_of(file: Namelist) -> dict[str, dict[str, Any]]:
 
     A value has the kind of its key: ``load_n = 40`` is 40.0. Raises SurfaceError for keys in the
     group of others, for lists, values of another kind and words that are no choice of the key.
-    Keys and groups that no program knows are left to the caller.
+    Keys and groups unknown to the programs are left to the caller.
     """
     for entry in file.entries.values():
         _check_group(file, entry)
@@ -38,7 +38,7 @@ def reading_of(key: str) -> Callable[[Value], Any]:
 
 
 def _check_group(file: Namelist, entry: Entry) -> None:
-    """Refuse a key of another group; those of surface 2 have the names of surface 1, too."""
+    """Refuse a key of another group; keys of surface 2 have the names of surface 1, too."""
     home = GROUP_OF.get(entry.key, entry.group)
     if entry.group in (home, GROUP_OF.get(f"{entry.key}_2")):
         return

@@ -12,7 +12,7 @@ Text = str | PathLike[str]
 
 
 class CaseKeys(TypedDict, total=False):
-    """Of one case."""
+    """Keys of a case."""
 
     radius_x_m: SupportsFloat
     """reduced radius in the rolling direction, m"""
@@ -241,7 +241,7 @@ class StudyKeys(CaseKeys, total=False):
 
 
 class ContactKeys(TypedDict, total=False):
-    """Of :class:`ehlwave.Contact`."""
+    """Keys of :class:`ehlwave.Contact`."""
 
     radius_x_m: SupportsFloat
     """reduced radius in the rolling direction, m"""

@@ -1,10 +1,10 @@
 """Input files of the programs: groups, keys and values, the values still as written.
 
-The grammar is the one of the programs (``src/io/namelist_scanner.f90``): groups ``&name ... /`` of
-``key = value[, value...]``, comments from ``!`` to the end of the line, text in ``'`` or ``"`` with
-the quote doubled inside, repeat counts ``3*1.0``. Stricter than a Fortran namelist: nothing but
+The grammar matches the programs (``src/io/namelist_scanner.f90``): groups ``&name ... /`` of ``key
+= value[, value...]``, comments from ``!`` to the end of the line, text in ``'`` or ``"`` with the
+quote doubled inside, repeat counts ``3*1.0``. Stricter than a Fortran namelist: nothing but
 comments outside groups, no key or group twice, no empty values, no array elements, text in quotes
-stays on one line and a word without quotes is never text.
+stays on one line and an unquoted word is never text.
 """
 
 import re
@@ -29,7 +29,7 @@ _Kind = TypeVar("_Kind")
 
 @dataclass(frozen=True)
 class Entry:
-    """One key with its values; names are in lower case."""
+    """A key with its values; names are in lower case."""
 
     group: str
     key: str
@@ -109,7 +109,7 @@ def scan_namelist(path: str, text: bytes) -> Namelist:
 
 
 class _Scanner:
-    """The token at hand, the one after it, and the entries found so far."""
+    """The present token, the next, and the entries found so far."""
 
     def __init__(self, path: str, text: bytes) -> None:
         self.tokens = Tokens(path, text)
@@ -119,7 +119,7 @@ class _Scanner:
         self.shift()
 
     def shift(self) -> None:
-        """Go one token further."""
+        """Go to the next token."""
         self.token = self.after
         if self.token.kind != END:
             self.after = self.tokens.take()
@@ -134,7 +134,7 @@ class _Scanner:
         return self.found
 
     def take_group(self) -> None:
-        """Take one group from '&' to '/'."""
+        """Take a group from '&' to '/'."""
         line = self.token.line
         if self.token.kind != "&":
             raise self.tokens.fail(
@@ -158,7 +158,7 @@ class _Scanner:
         self.shift()
 
     def take_key(self, group: str, line: int) -> None:
-        """Take one key with all its values, up to the next key or the end of the group."""
+        """Take a key with all its values, up to the next key or the end of the group."""
         if self.token.kind != WORD or self.after.kind != "=":
             raise self.refused_token(group, line)
         entry = Entry(group, self.name("key"), self.token.line)
@@ -246,7 +246,7 @@ class _Scanner:
         return self.token.kind == WORD and self.after.kind in ("=", "(")
 
     def refused_token(self, group: str, line: int) -> SurfaceError:
-        """Return why no key begins where one could."""
+        """Return the reason why a key is missing here."""
         token = self.token
         if token.kind == END:
             return self.tokens.fail(

@@ -1,7 +1,7 @@
-"""Words, texts in quotes and punctuation of an input file, one after the other.
+"""Words, texts in quotes and punctuation of an input file, in order.
 
-The grammar is the one of the programs (``src/io/namelist_tokens.f90``). A differential test holds
-both readers to the same verdicts, messages and values.
+The grammar matches the programs (``src/io/namelist_tokens.f90``). A differential test holds both
+readers to the same verdicts, messages and values.
 """
 
 import re
@@ -106,7 +106,7 @@ class Tokens:
         return word
 
     def _take_quoted(self, mark: bytes) -> bytes:
-        """Return the text between quotes; a doubled quote stands for one."""
+        """Return the text between quotes; a doubled quote gives a single quote."""
         parts, start, line_end = [], self.at + 1, self._end_of(_LINE_REST)
         while True:
             stop = self.text.find(mark, start, line_end)

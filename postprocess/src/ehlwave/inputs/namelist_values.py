@@ -1,7 +1,7 @@
 """Values as written in an input file, turned into numbers, logicals and text.
 
-The rules are those of the programs (``src/io/namelist_values.f90``). Each function raises
-ValueError with the problem and the change needed.
+The rules match the programs (``src/io/namelist_values.f90``). Each function raises ValueError with
+the problem and the change needed.
 """
 
 import re
@@ -21,7 +21,7 @@ _TRUTHS |= {b"." + name + b".": truth for name, truth in _TRUTHS.items()}
 
 @dataclass(frozen=True)
 class Value:
-    """One value, without quotes and repeat count."""
+    """A value, without quotes and repeat count."""
 
     text: bytes
     is_quoted: bool

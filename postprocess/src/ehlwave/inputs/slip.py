@@ -1,14 +1,13 @@
 """The slip parameter by its other name, the slide-to-roll ratio.
 
 S = u1/ubar and SRR = (u1 - u2)/ubar, ubar = (u1 + u2)/2, so that S = 1 + SRR/2. Surface 1 is the
-rough one. The programs have the same in ``src/case/input_completion.f90``.
+rough surface. The programs use the same formulas in ``src/case/input_completion.f90``.
 """
 
 from collections.abc import Mapping
 from typing import Any
 
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import SurfaceError, see
 from ehlwave.quantities import number
 
 SLIP, RATIO = "slip_parameter", "slide_to_roll_ratio"
@@ -36,7 +35,7 @@ def refuse_both(keys: Mapping[str, Any], place: str) -> None:
 
 
 def merged(keys: Mapping[str, Any], later: Mapping[str, Any]) -> dict[str, Any]:
-    """Return keys overridden by later ones; of the two names the later one counts."""
+    """Return keys overridden by later ones; the later of the two names counts."""
     dropped = {SLIP, RATIO} if {SLIP, RATIO} & set(later) else set()
     return {key: value for key, value in keys.items() if key not in dropped} | dict(later)
 

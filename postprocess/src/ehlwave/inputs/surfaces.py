@@ -20,7 +20,7 @@ class SurfaceLike(Protocol):
 
 
 class TopographyLike(Protocol):
-    """What is taken of objects of SurfaceTopography: those with equidistant points."""
+    """Use of objects of SurfaceTopography: only equidistant points."""
 
     @property
     def is_uniform(self) -> bool:
@@ -28,7 +28,7 @@ class TopographyLike(Protocol):
 
     @property
     def unit(self) -> str | None:
-        """Of lengths and heights."""
+        """Unit of lengths and heights."""
 
     @property
     def pixel_size(self) -> Any:  # noqa: ANN401

@@ -12,8 +12,7 @@ from dataclasses import dataclass, replace
 
 from ehlwave.choices import LAWS, chosen
 from ehlwave.contact.conditions import Conditions
-from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import RangeError, SurfaceError, see
 from ehlwave.inputs.slip import RATIO, ratio_of
 from ehlwave.laws.answers import Film
 from ehlwave.laws.asked import Asked

@@ -42,7 +42,7 @@ def case_keys(conditions: Conditions, heat: Heat | None = None) -> dict[str, Any
     Parameters
     ----------
     conditions : Conditions
-        Its slip parameter replaces the given one.
+        Its slip parameter replaces the argument.
     heat : Heat, optional
         Heat data; needs dimensional conditions.
 

@@ -85,7 +85,7 @@ def check(found: Result) -> None:
 
 
 def run_waves(keys: Keys, waves: Sequence[Keys], progress: Following = None) -> list[Result]:
-    """Return the results of one contact with different waves, by one sweep.
+    """Return the results of a contact with different waves, by a single sweep.
 
     Waves that were not solved are returned with their status and message.
 
@@ -94,7 +94,7 @@ def run_waves(keys: Keys, waves: Sequence[Keys], progress: Following = None) -> 
     keys : mapping
         Keys of all cases.
     waves : sequence of mappings
-        Further keys of each case; all have the same ones.
+        Further keys of each case; all have the same keys.
     progress : callable or False, optional
         As of :meth:`ehlwave.Study.run`.
 

@@ -1,4 +1,4 @@
-"""The programs ``ehlwave-case`` and ``ehlwave-sweep``: where they are, what they are given.
+"""The programs ``ehlwave-case`` and ``ehlwave-sweep``: their paths and input.
 
 Needs the standard library alone.
 """
@@ -72,7 +72,7 @@ def find_run_sweep() -> Path | None:
 
 
 def namelist(groups: Groups) -> str:
-    """Return the text of an input file, one key a line; lists become comma-separated values.
+    """Return the text of an input file, one key per line; lists become comma-separated values.
 
     Raises ProgramError if a text has a line break, which no input file can hold.
     """
@@ -84,7 +84,7 @@ def namelist(groups: Groups) -> str:
 
 def _written(value: object, key: str) -> str:
     """Return a value as Fortran reads it: quotes within a text are doubled."""
-    if hasattr(value, "tolist"):  # of numpy
+    if hasattr(value, "tolist"):  # numbers of numpy
         value = value.tolist()
     if isinstance(value, bool):
         return ".true." if value else ".false."

@@ -1,4 +1,4 @@
-"""Programs that say how far they are: callbacks, and a bar in notebooks."""
+"""Progress of the programs: callbacks, and a bar in notebooks."""
 
 import re
 import subprocess
@@ -24,7 +24,7 @@ _COUNT = re.compile(r"^\S+ (?:(?P<before>\D+) )?(?P<done>\d+)/(?P<whole>\d+)(?: 
 
 
 def counted(line: str) -> tuple[int, int, str] | None:
-    """Return what a line of progress says: done, whole, and of what; None: it is no such line."""
+    """Return the numbers of a progress line: done, whole, and unit; None: another line."""
     found = _COUNT.match(line)
     if found is None:
         return None
@@ -38,7 +38,7 @@ def run_following(
     seconds: float | None = None,
     environment: Mapping[str, str] | None = None,
 ) -> "subprocess.CompletedProcess[str]":
-    """Run a program and call back for each line of progress in one of its streams.
+    """Run a program and call back for each line of progress in a stream.
 
     An error of the callback, Ctrl-C among them, ends the program in good order before it is raised.
 
@@ -93,7 +93,7 @@ def watching(progress: Progress) -> Iterator[None]:
 
 @contextmanager
 def following(progress: Following) -> Iterator[Progress | None]:
-    """Give the callback that is asked for: the given one, a bar in a notebook, or None."""
+    """Return the requested callback: the given one, a bar in a notebook, or None."""
     if progress is None:
         progress = _WATCHER.get()
     if progress is not None:

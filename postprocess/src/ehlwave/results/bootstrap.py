@@ -22,8 +22,8 @@ def bootstrap_coefficients(
 ) -> Floats:
     """Refit samples of whole operating conditions, drawn with replacement.
 
-    Points at one operating condition share that condition's errors (grid, film thickness), so the
-    conditions, not the points, are what is drawn.
+    Points at an operating condition share its errors (grid, film thickness), so samples are drawn
+    from conditions, not from points.
 
     Parameters
     ----------

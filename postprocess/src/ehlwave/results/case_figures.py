@@ -1,4 +1,4 @@
-"""Pictures of one case: what a bearing engineer looks at, in um, GPa and us."""
+"""Pictures of a case for bearing engineers, in um, GPa and us."""
 
 from dataclasses import dataclass
 
@@ -206,7 +206,7 @@ def undeformed_history(case: xr.Dataset) -> Floats | None:
     """Return the film at the centre that rigid waves would leave, in units of c.
 
     Theory eq. (12) and (13): waves start at the inlet boundary behind a smooth front and move with
-    S, those of surface 2 with 2 - S. None for smooth cases, standing waves and measured surfaces.
+    S, waves of surface 2 with 2 - S. None for smooth cases, standing waves and measured surfaces.
     """
     central, slip = central_film(case), number(case, "slip_parameter")
     waves = [_rigid_wave(case, end, speed) for end, speed in (("", slip), ("_2", 2 - slip))]

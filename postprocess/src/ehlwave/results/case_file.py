@@ -1,4 +1,4 @@
-"""One contact: film and pressure from the file that ``ehlwave-case --output`` writes."""
+"""A contact: film and pressure from the file that ``ehlwave-case --output`` writes."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,7 +28,7 @@ _STYLE = {"font.size": 8.5, "axes.labelsize": 9.5, "axes.titlesize": 9.5}
 
 
 def read_contact(path: str | Path) -> xr.Dataset:
-    """Read the file of one case.
+    """Read the file of a case.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def read_contact(path: str | Path) -> xr.Dataset:
 
     Examples
     --------
-    The file is one of ``ehlwave-case input.nml --output contact.h5``:
+    The file comes from ``ehlwave-case input.nml --output contact.h5``:
 
     >>> import subprocess
     >>> from pathlib import Path

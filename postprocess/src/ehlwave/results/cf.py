@@ -7,7 +7,7 @@ The conventions name no quantities of lubrication; there are units and long name
 import numpy as np
 import xarray as xr
 
-from ehlwave.version import version
+from ehlwave.extras import version
 
 CONVENTIONS = "CF-1.8"
 
@@ -26,7 +26,7 @@ _TYPES = (str, bytes, int, float, np.integer, np.floating, np.ndarray)
 
 
 def with_cf(data: xr.Dataset, title: str) -> xr.Dataset:
-    """Return a dataset with units, long names and global attributes as CF wants them.
+    """Return a dataset with units, long names and global attributes as CF requires.
 
     Logical values become 0 and 1 with their meanings, and attributes that no file can hold are left
     out.
@@ -37,7 +37,7 @@ def with_cf(data: xr.Dataset, title: str) -> xr.Dataset:
             flags = {"flag_values": np.array([0, 1], np.int8), "flag_meanings": "no yes"}
             found[name] = found[name].astype(np.int8).assign_attrs({**found[name].attrs, **flags})
         if found[name].dtype == np.int64 and np.abs(found[name].values).max(initial=0) < 2**31:
-            found[name] = found[name].astype(np.int32, keep_attrs=True)  # CF has no longer ones
+            found[name] = found[name].astype(np.int32, keep_attrs=True)  # CF has no longer units
         attributes = {
             key: value for key, value in found[name].attrs.items() if isinstance(value, _TYPES)
         }

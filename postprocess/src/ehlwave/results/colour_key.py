@@ -1,4 +1,4 @@
-"""Colours of points by the values of a column, and what tells which is which."""
+"""Colours of points by the values of a column, and their legend or colour bar."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ _MAP = "viridis"
 
 @dataclass(frozen=True)
 class Colours:
-    """Colours of the values of a column; ``norm`` where they are those of a colour bar."""
+    """Colours of the values of a column; ``norm`` where they belong to a colour bar."""
 
     column: str
     by_value: dict[float | str, str]

@@ -23,9 +23,9 @@ OF_FIELDS = {
 
 
 def export(paths: list[Path], targets: dict[str, Path], writer: Writer) -> list[str]:
-    """Write files of the formats ``csv``, ``parquet``, ``netcdf`` and ``vtk``; say which.
+    """Write files of the formats ``csv``, ``parquet``, ``netcdf`` and ``vtk``; report them.
 
-    Raises ResultsError if a format has no place for what the files hold.
+    Raises ResultsError if a format cannot store the content of the files.
     """
     if not targets:
         raise ResultsError("name a file to write: --csv, --parquet, --netcdf or --vtk")

@@ -110,7 +110,7 @@ def write_figure(
     Parameters
     ----------
     figure : matplotlib.figure.Figure
-        What is drawn.
+        Quantity to draw.
     directory : path
         Folder of the files.
     name : str
@@ -118,7 +118,7 @@ def write_figure(
     dots_per_inch : int
         Of the PNG file.
     writer : Writer, optional
-        What may be replaced; a new one by default.
+        Axes to draw into; new axes by default.
 
     Raises
     ------
@@ -141,7 +141,7 @@ def write_figure(
 
 
 def y_limits(points: xr.Dataset) -> tuple[float, float]:
-    """Return the limits of Ad/Ai: those of the paper, higher where error bars need it."""
+    """Return the limits of Ad/Ai: as in the paper, higher where error bars need it."""
     tops = points["deformed_ratio"] + points["deformed_error"].fillna(0)
     inside = points["deformed_ratio"] <= Y_LIMITS[1]
     highest = float(tops.where(inside, 0).max()) if points.sizes[DIMENSION] else 0.0
@@ -220,7 +220,7 @@ def _draw_points(
 def _shades(
     points: xr.Dataset, chosen: np.ndarray, shade: str, colours: Colours | None
 ) -> list[tuple[np.ndarray, str]]:
-    """Return the chosen points with their colour: one, or one a value of the column."""
+    """Return the chosen points with their colour: one, or one per value of the column."""
     if colours is None or shade == _GREY:
         return [(chosen, shade)]
     values = points[colours.column].values

@@ -23,7 +23,7 @@ _TOLERANCE = 1e-12
 
 
 class FitError(EhlwaveError):
-    """The points do not determine the coefficients; the message says why.
+    """The points do not determine the coefficients; the message has the reason.
 
     Examples
     --------
@@ -109,8 +109,8 @@ def fit_formula(
 def point_weights(x: ArrayLike, ratio: ArrayLike, error: ArrayLike) -> Floats:
     """Return weights of residuals, 1 for a point without error: s / sqrt(s^2 + error^2).
 
-    s, the scatter of the points about one curve, is the rms residual of the unweighted fit: points
-    follow eq. (18) no better than that, however small their own errors are.
+    s, the scatter of the points about a single curve, is the rms residual of the unweighted fit:
+    points follow eq. (18) no better than that, however small their own errors are.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Names of cases: what varies among them, or what their table calls them."""
+"""Names of cases: their varying keys, or the labels of their table."""
 
 from collections.abc import Hashable
 
@@ -52,7 +52,7 @@ def labels(results: xr.Dataset) -> list[str]:
 def with_labels_of(results: xr.Dataset, rows: pd.DataFrame) -> xr.Dataset:
     """Return results with the labels that the rows of a table of cases give, if they give any.
 
-    A case is known by its keys. Rows that came out as one case give it all their labels.
+    Keys identify a case. Rows that lead to the same case all give it their labels.
     """
     if LABEL not in rows or "effective_input" not in results:
         return results
@@ -67,7 +67,7 @@ def with_labels_of(results: xr.Dataset, rows: pd.DataFrame) -> xr.Dataset:
 
 
 def _is_of(row: dict[Hashable, object], keys: dict[str, float | str]) -> bool:
-    """Return whether the keys of a case are those of a row, as far as both have them."""
+    """Return whether the keys of a case equal the keys of a row, as far as both have them."""
     for key, value in row.items():
         own = keys.get(str(key))
         if own is None or value is None or value != value:
@@ -78,7 +78,7 @@ def _is_of(row: dict[Hashable, object], keys: dict[str, float | str]) -> bool:
 
 
 def _is_word(own: str, value: object) -> bool:
-    """Return whether a word, or a logical value such as .true., is that of a row."""
+    """Return whether a word, or a logical value such as .true., equals the value of a row."""
     return own.strip(".") == str(value).lower().strip(".") or own == str(value)
 
 
@@ -88,7 +88,7 @@ def _is_number(own: float, value: object) -> bool:
 
 
 def _follows(results: xr.Dataset, key: str) -> bool:
-    """Return whether a wavelength along an axis only repeats the one along the waves."""
+    """Return whether a wavelength along an axis only repeats the wavelength along the waves."""
     if key not in ("wavelength_x_over_a", "wavelength_y_over_a"):
         return False
     whole, own = results["wavelength_over_a"].values, results[key].values

@@ -64,7 +64,7 @@ def select_points(
     Raises
     ------
     ResultsError
-        If nothing is left; the message counts what there was. If both edges are left.
+        If nothing is left; the message counts the points. If both edges are left.
 
     Examples
     --------
@@ -143,7 +143,7 @@ def resolved_only(points: xr.Dataset) -> xr.Dataset:
 
 
 def of_orientation(points: xr.Dataset, orientation: str) -> xr.Dataset:
-    """Return the points of one orientation, possibly none."""
+    """Return the points of an orientation, possibly none."""
     return points.isel({DIMENSION: np.flatnonzero(points["orientation"] == orientation)})
 
 
@@ -154,14 +154,14 @@ def condition_index(points: xr.Dataset) -> NDArray[np.intp]:
 
 
 def count_by_status(results: xr.Dataset) -> dict[str, int]:
-    """Return the number of cases of each status that occurs, known ones first."""
+    """Return the number of cases of each status that occurs, known statuses first."""
     counts = Counter(str(status) for status in results["status"].values)
     order = [*STATUSES, *sorted(set(counts) - set(STATUSES))]
     return {status: counts[status] for status in order if counts[status]}
 
 
 def remarks(points: xr.Dataset) -> list[str]:
-    """Return sentences on points that a reader of a figure or fit should know of."""
+    """Return notes on points for readers of a figure or fit."""
     found = []
     orientation = points["orientation"].values
     if other := int(np.sum(~np.isin(orientation, ORIENTATIONS))):

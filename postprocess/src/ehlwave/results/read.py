@@ -1,4 +1,4 @@
-"""Read the results files of ``ehlwave-sweep`` into one labelled dataset."""
+"""Read the results files of ``ehlwave-sweep`` into a labelled dataset."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -34,12 +34,11 @@ def read_results(paths: str | Path | Sequence[str | Path]) -> xr.Dataset:
     xarray.Dataset
         Every per-case dataset of the files as a variable over ``case``, with its ``units`` and
         ``long_name``; text as stripped strings. ``case`` counts from 1 over all files, as
-        logs and ``--plan`` do; ``label`` says what varies. The
-        coordinates ``source_file``, ``case_in_file``, ``program_version``, ``git_revision`` and
-        ``compiler`` tell where each case comes from. Scalars are repeated for every case of their
-        file; datasets of other shapes are left out. A column that only some files have is NaN for
-        the others. A ``smallest_film`` that is not above 0, as early versions stored it, is NaN,
-        and ``surfaces_touch`` of its case 1.
+        logs and ``--plan`` do; ``label`` lists the varying keys. The coordinates ``source_file``,
+        ``case_in_file``, ``program_version``, ``git_revision`` and ``compiler`` hold the origin of
+        each case. Scalars are repeated for every case of their file; datasets of other shapes are
+        left out. A column that only some files have is NaN for the others. A ``smallest_film`` that
+        is not above 0, as early versions stored it, is NaN, and ``surfaces_touch`` of its case 1.
 
     Raises
     ------
@@ -79,7 +78,7 @@ def read_results(paths: str | Path | Sequence[str | Path]) -> xr.Dataset:
 
 
 def _read_file(path: Path) -> xr.Dataset:
-    """Check one file and return its cases, without an index on ``case``."""
+    """Check a file and return its cases, without an index on ``case``."""
     with opened(path) as file:
         _check_format(path, file)
         _check_columns(path, file)
@@ -135,7 +134,7 @@ def _labelled(path: Path, data: xr.Dataset) -> xr.Dataset:
     origin = {key: _text(data.attrs.get(key, "")) for key in PROVENANCE_ATTRIBUTES}
     origin["source_file"] = str(path)
     coordinates = {key: ((DIMENSION,), np.full(size, text)) for key, text in origin.items()}
-    # A sweep that several versions of the program worked on tells each case's own.
+    # Assign each case the version of the program that computed it.
     for key in PROVENANCE_ATTRIBUTES:
         if key in columns:
             own = columns.pop(key)[1].astype(str)
@@ -145,7 +144,7 @@ def _labelled(path: Path, data: xr.Dataset) -> xr.Dataset:
 
 
 def _flag_touching(columns: dict[str, Any], size: int) -> None:
-    """Take away smallest films that are none, which early versions stored, and say why."""
+    """Remove invalid smallest films, which early versions stored, with a reason."""
     if "smallest_film" not in columns:
         return
     dims, films, attributes = columns["smallest_film"]

@@ -49,7 +49,7 @@ class RefitSettings:
 
 @dataclass(frozen=True)
 class RefitRow:
-    """The fit of one group of points on one variable; NaN where something is not defined.
+    """The fit of a group of points on a variable; NaN where something is not defined.
 
     Parameters
     ----------
@@ -71,9 +71,9 @@ class RefitRow:
         Bootstrap samples that determined both coefficients.
     tightness : float
         rms(V2)/rms(V) after the refit, the same in the two rows of a group: above 1 the points lie
-        closer to one curve on V than on V2.
+        closer to a single curve on V than on V2.
     note : str
-        What is missing, and why.
+        Missing parts, and the reasons.
 
     Examples
     --------

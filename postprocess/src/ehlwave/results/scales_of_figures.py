@@ -8,7 +8,7 @@ DRAWN = 1.5
 
 
 def readable_aspect(width: float, height: float) -> float:
-    """Return how much longer a unit of y is drawn than one of x; 1 unless a map is slender."""
+    """Return the ratio of the drawn lengths of units of y and x; 1 unless a map is slender."""
     if not (width > 0 and height > 0):
         return 1.0
     ratio = height / width
@@ -18,7 +18,7 @@ def readable_aspect(width: float, height: float) -> float:
 
 
 def aspect_note(width: float, height: float) -> str:
-    """Return what is said beside the axis of y where it has another scale."""
+    """Return the note beside the axis of y where it has another scale."""
     found = readable_aspect(width, height)
     if found == 1:
         return ""

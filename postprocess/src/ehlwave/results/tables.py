@@ -129,7 +129,7 @@ def dataset_table(data: xr.Dataset, columns: Sequence[str] = ()) -> pd.DataFrame
 
 
 def write_refit_csv(path: Path, rows: Sequence[RefitRow], writer: Writer | None = None) -> None:
-    """Write one line per group and variable."""
+    """Write a line per group and variable."""
     _write_csv(path, pd.DataFrame([refit_record(row) for row in rows]), writer)
 
 

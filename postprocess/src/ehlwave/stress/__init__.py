@@ -1,6 +1,6 @@
-"""Stress below rough, sliding, lubricated surfaces, and what it does to their life.
+"""Stress below rough, sliding, lubricated surfaces, and its effect on their life.
 
-Stresses below any pressure and traction: :func:`stress_below`. What of them decides:
+Stresses below any pressure and traction: :func:`stress_below`. The deciding parts of them:
 :mod:`ehlwave.stress.criteria`, :mod:`ehlwave.stress.dang_van`, :mod:`ehlwave.stress.life`. Closed
 forms of Hertz contacts: :mod:`ehlwave.stress.hertz`.
 """

@@ -41,7 +41,7 @@ class Peak:
 
 @dataclass(frozen=True, repr=False)
 class BodyStress(Shown):
-    """Stresses of one body."""
+    """Stresses of a body."""
 
     name: str
     """Which one."""
@@ -104,7 +104,7 @@ def judge_body(
     errors: tuple[float, float],
     cycle_power: float,
 ) -> BodyStress:
-    """Return what the histories of a body come to.
+    """Return the results of the histories of a body.
 
     Parameters
     ----------

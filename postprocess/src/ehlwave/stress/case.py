@@ -43,7 +43,7 @@ class SolvedContact:
         """Return pressure and traction on a body, Pa, from fields of the file over x and y in m.
 
         The oil drags the faster body back: the mean shear stress, above 0 where the first surface
-        is the faster one, acts on it with a minus.
+        is faster, acts on it with a minus.
         """
         if body not in (1, 2):
             raise StressError(f"body = {body}: 1 (whose slip parameter is S) or 2")
@@ -132,7 +132,7 @@ def stress_of_case(
     depths_m : array_like
         Depths, m; in units of a where the case was given by M, L and D alone.
     body : {1, 2}
-        The first surface, whose slip parameter is S, or the other one.
+        The first surface, whose slip parameter is S, or the second.
     poisson_ratio, workers
         As of :func:`ehlwave.stress.stress_below`.
     """
@@ -157,7 +157,7 @@ def line_stress_over_time(
     -------
     xarray.Dataset
         The components over (time, z, x), Pa and m, with ``time`` as the way of the mean speed, m.
-        ``smooth`` components, ``sxx_smooth`` and so on, are those of the first solution.
+        ``smooth`` components, ``sxx_smooth`` and so on, belong to the first solution.
 
     Raises
     ------
@@ -186,7 +186,7 @@ def line_stress_over_time(
     shape = (count, depths.size, data["x"].size)
     values = {name: np.empty(shape) for name in COMPONENTS}
     for index in range(count):
-        # What changes bears nothing as a whole: its images are too far to matter.
+        # Drop changes, which bear nothing as a whole: their images are too far to matter.
         change = [
             loads[kind].isel(field_time=index) - first[kind] if kind in loads else None
             for kind in ("pressure_pa", "traction_x_pa")
@@ -209,7 +209,7 @@ def point_histories(stress: xr.Dataset, slip: float, points_m: ArrayLike) -> xr.
     stress : Dataset
         From :func:`line_stress_over_time`.
     slip : float
-        S of the body whose points are followed: S of the first one, 2 - S of the other.
+        S of the body whose points are followed: S of the first body, 2 - S of the second.
     points_m : array_like
         X of the points at time 0, m: at time t they are at X + S t, t as the way of the mean speed.
 

@@ -85,7 +85,7 @@ def judge_case(
 def _over_time(
     contact: SolvedContact, depths: Floats, body: int, cycles: float, poisson_ratio: float
 ) -> dict[str, Any]:
-    """Return what the fields over time come to: shear of the ripple, Dang Van's factor."""
+    """Return the results of the fields over time: shear of the ripple, Dang Van's factor."""
     over = line_stress_over_time(contact.case, depths, body, poisson_ratio)
     inner = slice(-INNER * contact.scales_m[0], INNER * contact.scales_m[0])
     change = {name: (over[name] - over[f"{name}_smooth"]).sel(x=inner) for name in COMPONENTS}
@@ -109,7 +109,7 @@ def _over_time(
 
 
 def case_text(document: dict[str, Any]) -> str:
-    """Return what a user reads."""
+    """Return the text of the report."""
     has_lengths = document["length_unit"] == "m"
     scale, unit = (UM, "um") if has_lengths else (1.0, "a")
     lines = [
@@ -143,7 +143,7 @@ def case_text(document: dict[str, Any]) -> str:
 
 
 def case_section(path: Path | str, stress: xr.Dataset) -> "Figure":
-    """Draw the section of one body of a solved contact."""
+    """Draw the section of a body of a solved contact."""
     from ehlwave.stress.figures import section_figure
 
     contact = solved_contact(path)

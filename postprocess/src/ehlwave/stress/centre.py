@@ -22,13 +22,13 @@ def contact_fields(
     points: tuple[int, int] = (257, 129),
     reach: float = 1.25,
 ) -> xr.Dataset:
-    """Return film and pressure over the contact at one time: the smooth ones and the ripple.
+    """Return film and pressure over the contact at one time: smooth fields and ripple.
 
     Parameters
     ----------
     surfaces : sequence of Deformed
-        One rough surface, or both: from :meth:`ehlwave.Contact.deform`, the second of a contact
-        with 2 - S.
+        A rough surface, or both: from :meth:`ehlwave.Contact.deform`, the second of a contact with
+        2 - S.
     rolled_m : float
         How far the mean speed has come since the first points of the surfaces were at the centre.
     points : pair of int
@@ -39,8 +39,8 @@ def contact_fields(
     Returns
     -------
     xarray.Dataset
-        ``pressure_pa`` and ``film_m`` over (x, y) in m, 0 the contact centre: the pressure is that
-        of Hertz besides the ripple, never below 0; the film is the mean one besides the ripple, of
+        ``pressure_pa`` and ``film_m`` over (x, y) in m, 0 the contact centre: the pressure is the
+        Hertz pressure plus the ripple, never below 0; the film is the mean film plus the ripple, of
         the inside of the contact (NaN outside).
     """
     conditions = surfaces[0].conditions

@@ -1,4 +1,4 @@
-"""The one call: the stresses below a contact with measured surfaces."""
+"""Entry point: the stresses below a contact with measured surfaces."""
 
 from pathlib import Path
 from typing import Any, Protocol
@@ -23,7 +23,7 @@ UNKNOWN_FRICTION = (
 
 
 class SmoothFilm(Protocol):
-    """A film whose friction may be known; :class:`ehlwave.Film` is one."""
+    """A film with a friction, if known; :class:`ehlwave.Film` is an example."""
 
     @property
     def friction(self) -> float | None:
@@ -31,7 +31,7 @@ class SmoothFilm(Protocol):
 
 
 class OperatingPoint(Protocol):
-    """Interface of a contact for stresses; :class:`ehlwave.Contact` is one."""
+    """Interface of a contact for stresses, as :class:`ehlwave.Contact`."""
 
     @property
     def conditions(self) -> Conditions:
@@ -64,16 +64,16 @@ def stress_of_contact(
     smooth: xr.Dataset | str | Path | None = None,
     **deforming: Any,  # noqa: ANN401
 ) -> RoughStress:
-    """Return the stresses below both bodies of a contact with one measured surface, or two.
+    """Return the stresses below both bodies of a contact with one or two measured surfaces.
 
     Parameters
     ----------
     contact : Contact
-        Its slip parameter is that of the first surface.
+        Its slip parameter belongs to the first surface.
     surface, second : Surface, path, array or topography
-        Rough surface of the first body, and of the other one, which is smooth without.
+        Rough surface of the first body, and of the second, which is smooth by default.
     friction : float, optional
-        Traction over pressure; otherwise that of the atlas where it is known.
+        Traction over pressure; otherwise the atlas value where known.
     cycles, poisson_ratio, depths_m, smooth
         As of :func:`ehlwave.stress.rough.rough_stress`.
     **deforming

@@ -1,7 +1,7 @@
 """Criteria of a stress: von Mises, largest shear, orthogonal shear, hydrostatic stress.
 
-Stresses are datasets as :func:`ehlwave.stress.stress_below` gives them, or any mapping of the six
-components to arrays of one shape; tension positive.
+Stresses are datasets as from :func:`ehlwave.stress.stress_below`, or any mapping of the six
+components to arrays of equal shape; tension positive.
 """
 
 from collections.abc import Mapping
@@ -72,7 +72,7 @@ def largest(field: xr.DataArray) -> Largest:
     """Return the largest value of a field over z, x and y, between the points of the grid.
 
     A parabola through the largest value on the grid and its neighbours gives the place along each
-    coordinate, and what the largest value is above that on the grid.
+    coordinate, and the excess of the largest value over the grid value.
     """
     index = np.unravel_index(int(np.argmax(field.values)), field.shape)
     value, places = float(field.values[index]), {}
@@ -91,7 +91,7 @@ def largest(field: xr.DataArray) -> Largest:
 
 
 def _parabola(at: np.ndarray, values: list[float]) -> tuple[float, float]:
-    """Return where the parabola of three points, the middle one at 0, is largest, and by what."""
+    """Return where the parabola of three points, the middle at 0, is largest, and its excess."""
     left, right = values[0] - values[1], values[2] - values[1]
     bend = (left / at[0] - right / at[2]) / (at[0] - at[2])
     slope = left / at[0] - bend * at[0]

@@ -37,7 +37,7 @@ def fatigue_shear(cycles: ArrayLike) -> Floats:
     Raises
     ------
     StressError
-        Below one cycle, or beyond the cycles at which nothing is left of it.
+        Below one cycle, or beyond the cycles at which the limit vanishes.
     """
     number = np.asarray(cycles, dtype=float)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -108,7 +108,7 @@ def dang_van_path(history: xr.Dataset | Mapping[str, ArrayLike], dim: str = "tim
 def _time_first(
     history: xr.Dataset | Mapping[str, ArrayLike], dim: str
 ) -> tuple[dict[str, Floats], xr.DataArray | None]:
-    """Return arrays with time first, and what a result without time looks like."""
+    """Return arrays with time first, and the shape of a result without time."""
     missing = [name for name in COMPONENTS if name not in history]
     if missing:
         raise StressError(f"history: has no {missing[0]}; {', '.join(COMPONENTS)} are needed")
@@ -150,7 +150,7 @@ def _path(stress: Mapping[str, Floats]) -> Path:
 
 
 def _orthonormal(stress: Mapping[str, Floats]) -> list[Floats]:
-    """Return the deviator in five coordinates whose distances are those of tensors."""
+    """Return the deviator in five coordinates whose distances equal tensor distances."""
     sxx, syy, szz = (stress[name] for name in ("sxx", "syy", "szz"))
     normal = [(sxx - szz) / 2**0.5, (2 * syy - sxx - szz) / 6**0.5]
     return normal + [2**0.5 * stress[name] for name in ("sxy", "syz", "sxz")]

@@ -48,7 +48,7 @@ def enclosing_balls(points: Floats) -> Ball:
 def _step(
     points: Floats, centre: Floats, support: NDArray[np.intp]
 ) -> tuple[Floats, Floats, NDArray[np.intp], NDArray[np.bool_]]:
-    """Return centres, radii and supports after one step, and which of the balls are smallest."""
+    """Return centres, radii and supports after a step, and which balls are smallest."""
     rows = np.arange(points.shape[0])
     first = points[rows, support[:, 0]]
     used = support[:, 1:] >= 0

@@ -45,17 +45,18 @@ def stress_below(
     ----------
     pressure_pa : array_like or DataArray, or None
         Compression positive, Pa. Plain arrays are [x, y]; a DataArray goes by the names of its
-        dimensions, ``x`` and ``y`` in any order. One point along y (or a plain array of one
-        dimension): nothing varies along y, plane strain. None: no pressure.
+        dimensions, ``x`` and ``y`` in any order. A single point along y (or a one-dimensional
+        array): nothing varies along y, plane strain. None: no pressure.
     steps_m : (float, float)
-        Steps of the grid along x and y, m. That of a direction of one point does not matter.
+        Steps of the grid along x and y, m. The step in a direction with a single point does not
+        matter.
     depths_m : array_like
         Depths below the surface, m, 0 or more.
     traction_x_pa, traction_y_pa : array_like or DataArray, optional
         Traction on the body along +x and +y, Pa; as the pressure.
     poisson_ratio : float
         Of the body.
-    periodic : bool, or one for x and one for y
+    periodic : bool, or a pair for x and y
         Whether the load repeats beyond its ends, or ends there. A mean pressure that repeats along
         both axes is borne without lateral strain: sxx = syy = nu/(1 - nu) szz.
     workers : int
@@ -95,7 +96,7 @@ def stress_below(
 
 
 def stress_planes(load: Load, depths_m: Floats, workers: int = 1) -> Iterator[dict[str, Floats]]:
-    """Yield the stresses at one depth after the other, [x, y]; one plane is held at a time."""
+    """Yield the stresses at each depth, [x, y]; a single plane is held at a time."""
     ends = tuple(not endless and count > 1 for endless, count in load.directions)
     is_endless = not ends[0], not ends[1]
     factor = tuple(coarse_factor(n) if end else 1 for n, end in zip(load.shape, ends, strict=True))
@@ -115,9 +116,9 @@ def stress_planes(load: Load, depths_m: Floats, workers: int = 1) -> Iterator[di
 
 
 def stress_line(load: Load, depths_m: Floats, row: int) -> dict[str, Floats]:
-    """Return the stresses along x at one row of y, (z, x), of loads that are nothing as a whole.
+    """Return the stresses along x at a row of y, (z, x), of loads with zero sum.
 
-    What images of such loads do is too little to be taken away.
+    The effect of images of such loads is too small to be subtracted.
     """
     periods = tuple(n if n == 1 else fft.next_fast_len(2 * n, real=True) for n in load.shape)
     is_endless = load.shape[0] == 1, load.shape[1] == 1

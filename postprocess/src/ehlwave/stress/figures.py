@@ -49,7 +49,7 @@ def section_figure(
     pressure_pa : DataArray
         On the surface, over x and y of the stress.
     unit, scale : str, float
-        Of lengths, and what metres are multiplied by.
+        Unit of lengths, and factor on metres.
     """
     field = von_mises(stress) * MPA
     row = int(np.argmin(np.abs(stress["y"].values)))
@@ -86,7 +86,7 @@ def predicted_section(result: RoughStress) -> Figure:
     """Draw the section of the first body at an instant, the middle of the surface at the centre."""
     surface = result.surfaces[0].surface
     way = surface.height.shape[0] * surface.step_x_m / 2 / result.conditions.slip_parameter
-    # The first points are at the centre at 0; what follows comes from behind.
+    # The first points are at the centre at 0; later points come from behind.
     fields = contact_fields(result.surfaces, -way, GRID, reach=1.5)
     x, y = fields["x"].values, fields["y"].values
     steps = (x[1] - x[0], y[1] - y[0] if y.size > 1 else 1.0)

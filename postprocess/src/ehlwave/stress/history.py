@@ -35,7 +35,7 @@ EXTREMES = 24
 
 @dataclass(frozen=True)
 class Histories:
-    """Stresses of material points of one body over their passage, at places X of the contact."""
+    """Stresses of material points of a body over their passage, at places X of the contact."""
 
     places_m: Floats
     """X, 0 the contact centre; shape shape (time,)."""
@@ -77,7 +77,7 @@ def follow(
     poisson_ratio: float,
     smooth: xr.Dataset | None = None,
 ) -> Histories:
-    """Return the histories of points of one body.
+    """Return the histories of points of a body.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def follow(
     ripples : sequence of Ripple
         Of all rough surfaces.
     own : Ripple or None
-        That of the body; None: it is smooth, and followed where it meets the first of them.
+        Slip parameter of the body; None: it is smooth, and followed where it meets the first.
     slip : float
         S of the body.
     depths_m : ndarray

@@ -1,9 +1,9 @@
 """Stresses by periodic images of a load: found on a coarse grid, and subtracted.
 
 A transform makes the load repeat. A period of twice the grid keeps the images away, but their
-stress falls no faster than the third power of the distance. It is smooth, and depends on the load
-as a whole alone: two periods on a grid of blocks, one as it is and one many times as long, differ
-by what the images add, but for those of the long one.
+stress falls no faster than the third power of the distance. It is smooth, and depends only on the
+total load. Two periods on a grid of blocks, the original and a much longer one, differ by the
+stress of the images, except the images of the long period.
 """
 
 import numpy as np
@@ -37,7 +37,7 @@ def coarse_factor(count: int) -> int:
 
 
 class ImageCorrection:
-    """Stresses of the load alone less those of the load that repeats."""
+    """Stresses of the load alone less the stresses of the repeated load."""
 
     def __init__(
         self,
@@ -72,7 +72,7 @@ class ImageCorrection:
             fft.next_fast_len(times * n) if e else 1 for n, e in zip(short, ends, strict=True)
         )
         is_endless = not ends[0], not ends[1]
-        # What the images of the long period still add follows from how they fall.
+        # Images of the long period add a remainder that follows from their decay.
         self._share = 1 / (1 - times ** -FALL[sum(ends)])
         self._short, self._long = (
             RepeatedLoad(blocks, coarse, poisson_ratio, n, is_endless, BLUR) for n in (short, long)

@@ -1,9 +1,9 @@
-"""Life of a rough contact over that of a smooth one, and the share of a surface at risk.
+"""Life of a rough contact over the life of a smooth contact, and the share of a surface at risk.
 
 Ioannides and Harris (1985), Journal of Tribology 107, theory eq. (B6): the logarithm of the
 probability of survival after N cycles goes as N^e times the integral of <tau - tau_u>^c z^(-h)
-over the volume. c, h and e are those of Lundberg and Palmgren (1947) for point contacts; for line
-contacts they have e = 9/8. The factor of the integral is not known here, so only ratios count.
+over the volume. c, h and e come from Lundberg and Palmgren (1947) for point contacts; line contacts
+have e = 9/8. The factor of the integral is unknown, so only ratios count.
 """
 
 import numpy as np
@@ -29,7 +29,7 @@ def life_integral_ratio(
     stress_power: float = STRESS_POWER,
     depth_power: float = DEPTH_POWER,
 ) -> float:
-    """Return the integral of Ioannides and Harris of a rough contact over that of a smooth one.
+    """Return the integral of Ioannides and Harris of a rough over a smooth contact.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def life_integral_ratio(
     Returns
     -------
     float
-        1 where neither is above the limit, infinite where the rough one alone is.
+        1 where neither is above the limit, infinite where only the rough contact is.
 
     Raises
     ------
@@ -62,7 +62,7 @@ def life_integral_ratio(
 
 
 def life_ratio(integral_ratio: float, cycle_power: float = CYCLE_POWER) -> float:
-    """Return the life of the rough contact over that of the smooth one, equal probabilities."""
+    """Return the life of the rough contact over the smooth contact's, at equal probabilities."""
     return integral_ratio ** (-1 / cycle_power) if integral_ratio > 0 else float("inf")
 
 

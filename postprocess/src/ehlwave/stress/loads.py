@@ -1,4 +1,4 @@
-"""Loads on the surface of a body: arrays, checked, in one order of axes."""
+"""Loads on the surface of a body: arrays, checked, in a fixed order of axes."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -89,7 +89,7 @@ def checked_load(
     return Load(fields, steps, poisson_ratio, (bool(both[0]), bool(both[1])), *places)
 
 
-def checked_number(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
+def checked_number(value: Any, name: str) -> float:  # noqa: ANN401 - user input
     """Return a number as :func:`ehlwave.quantities.number` does; its doubts are a StressError."""
     try:
         return number(value, name)
@@ -97,7 +97,7 @@ def checked_number(value: Any, name: str) -> float:  # noqa: ANN401 - what users
         raise StressError(str(error)) from None
 
 
-def checked_poisson_ratio(poisson_ratio: Any) -> float:  # noqa: ANN401 - what users give
+def checked_poisson_ratio(poisson_ratio: Any) -> float:  # noqa: ANN401 - user input
     """Return Poisson's ratio of an isotropic body; StressError outside -1 to 0.5."""
     found = checked_number(poisson_ratio, "poisson_ratio")
     if not -1 < found <= 0.5:
@@ -106,7 +106,7 @@ def checked_poisson_ratio(poisson_ratio: Any) -> float:  # noqa: ANN401 - what u
 
 
 def checked_poisson_ratios(poisson_ratio: Any) -> tuple[float, float]:  # noqa: ANN401
-    """Return those of both bodies, given as one number or two; StressError as of one."""
+    """Return the values of both bodies, given as one number or two; StressError as for one."""
     is_pair = isinstance(poisson_ratio, list | tuple) and len(poisson_ratio) == 2
     first, second = poisson_ratio if is_pair else (poisson_ratio, poisson_ratio)
     return checked_poisson_ratio(first), checked_poisson_ratio(second)
@@ -115,7 +115,7 @@ def checked_poisson_ratios(poisson_ratio: Any) -> tuple[float, float]:  # noqa: 
 def checked_depths(depths_m: Any, largest_m: float = np.inf) -> Floats:  # noqa: ANN401
     """Return depths as a list, m.
 
-    Raises StressError if one is no number, negative or beyond the largest, or there is none.
+    Raises StressError if a value is no number, negative or too large, or missing.
     """
     try:
         depths = np.atleast_1d(np.asarray(plain(depths_m, "depths_m"), dtype=float)).ravel()
@@ -159,7 +159,7 @@ def _field(field: ArrayLike | xr.DataArray, name: str) -> Floats:
 
 
 def _steps(steps_m: tuple[float, float] | float, shape: tuple[int, ...]) -> tuple[float, float]:
-    """Return steps along x and y; 1 where there is one point."""
+    """Return steps along x and y; 1 for a single point."""
     both = np.atleast_1d(np.asarray(steps_m, dtype=float)).ravel()
     if both.size not in (1, 2):
         raise StressError(f"steps_m = {steps_m}: give the steps along x and y, m")
@@ -171,7 +171,7 @@ def _steps(steps_m: tuple[float, float] | float, shape: tuple[int, ...]) -> tupl
 
 
 def _places(fields: object, letter: str, count: int, step: float) -> Floats:
-    """Return places along one axis: those of a DataArray in metres, else from 0 on."""
+    """Return places along an axis: from a DataArray in metres, else from 0 on."""
     for field in fields:  # type: ignore[attr-defined]
         if isinstance(field, xr.DataArray) and letter in field.coords and field[letter].ndim == 1:
             places = np.asarray(field[letter].values, dtype=float)

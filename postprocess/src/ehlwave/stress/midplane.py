@@ -57,7 +57,7 @@ def hertz_midplane_stress(
     shape[0, 0] = 1 / 3
     count = np.outer(np.where(kx > 0, 2, 1), np.where(ky > 0, 2, 1))
     weight = 2 * np.pi * a * b * hertz_pa * shape * count / (period_x * period_y)
-    kx[0] = 1e-9 / a  # the mean is that of long waves in all directions: of half along x
+    kx[0] = 1e-9 / a  # the mean of long waves in all directions: of half along x
     turn = np.exp(1j * np.outer(kx, x_m))
     found: dict[str, list[Floats]] = {}
     for depth in z_m:
@@ -76,6 +76,6 @@ def hertz_midplane_stress(
 
 
 def _half(waves: dict[str, NDArray[np.complex128]], name: str) -> complex:
-    """Return what makes of the mean, taken as a long wave along x, one of all directions."""
+    """Return the factor from a mean of long waves along x to a mean over all directions."""
     both = (waves["sxx"][0, 0] + waves["syy"][0, 0]) / 2
     return complex(both - waves[name][0, 0])

@@ -2,10 +2,10 @@
 
 A wave exp(i(kx (X - S t))) of a surface with the speed S meets a point of a body with the speed
 S_b, which is at X at the time t = (X - xi)/S_b, as exp(i rho kx xi) times a phase of X alone,
-rho = S/S_b: at each place X of the contact the stresses of all points of the body are one Fourier
-sum over their coordinate rho xi. The sum has the waves of the centre; towards the edge of the
-contact their pressure falls as the smooth pressure to the power of 1/8, as the linear responses of
-whole contacts do.
+rho = S/S_b: at each place X of the contact the stresses of all points of the body are a Fourier sum
+over their coordinate rho xi. The sum has the waves of the centre; towards the edge of the contact
+their pressure falls as the smooth pressure to the power of 1/8, as the linear responses of whole
+contacts do.
 """
 
 from collections.abc import Iterator
@@ -35,11 +35,11 @@ def edge_factor(x_over_a: Floats, y_over_b: Floats | float = 0.0) -> Floats:
 
 
 def edge_factor_below(x_over_a: Floats, z_over_a: Floats, b_over_a: float) -> Floats:
-    """Return the same below the surface at y = 0, (x, z): what of the ripple a place feels.
+    """Return the stresses below the surface at y = 0, (x, z): effect of the ripple at a place.
 
-    A place below the edge has the ripple on one side of it. It counts as the normal stress below a
-    pressure that falls like the ripple, int f 3 z^3/(2 pi R^5) dx dy, does: the integral over y, as
-    far as the contact is wide, is closed, that over x a sum.
+    A place below the edge has the ripple on one side only. It is weighted as the normal stress
+    below a pressure that falls like the ripple, int f 3 z^3/(2 pi R^5) dx dy: the integral over y,
+    as far as the contact is wide, is closed, the integral over x a sum.
     """
     step = 2 / SLICES
     place = -1 + step * (np.arange(SLICES) + 0.5)
@@ -60,7 +60,7 @@ def ripple_stresses(
     friction: float,
     poisson_ratio: float,
 ) -> Iterator[Stresses]:
-    """Yield the stresses of points of a body at one place X after the other.
+    """Yield the stresses of points of a body at each place X in turn.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def ripple_stresses(
     places_m, depths_m : ndarray
         Places in the contact, and depths.
     ratio : float
-        rho, the speed of this surface over that of the body.
+        rho, the speed of this surface over the body's speed.
     friction, poisson_ratio : float
         Traction on the body along +x over the pressure; Poisson's ratio.
 
@@ -93,7 +93,7 @@ def ripple_stresses(
                 there = waves.complementary * waves.carried(x_m) * turn
                 total = {name: value + other[name] * there for name, value in total.items()}
             found = {name: ripple.over_points(value) for name, value in total.items()}
-            # What moves with the body is the same to its points at every place.
+            # Waves that move with the body are the same for its points at every place.
             if not carries and (ratio == 1 or not ripple.moves):
                 same = found
         yield found

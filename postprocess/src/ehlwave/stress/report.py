@@ -24,7 +24,7 @@ NAMES = {
 
 
 def stress_text(result: RoughStress) -> str:
-    """Return what a user reads: a table a body, and where it is not to be trusted."""
+    """Return the report as text: a table per body, and the limits of its validity."""
     c = result.conditions
     lines = [
         f"Conditions   M = {c.m:.6g}, L = {c.l:.6g}, D = {c.d:.6g}, S = {c.slip_parameter:g}; "
@@ -88,7 +88,7 @@ def _places(peak: Peak) -> tuple[str, str]:
 
 
 def place_text(place: float) -> str:
-    """Return a place, um or a; what only rounding keeps from 0 is 0."""
+    """Return a place, um or a; rounding errors become 0."""
     return f"{place:.3g}" if abs(place) > LEAST_PLACE else "0"
 
 
@@ -97,7 +97,7 @@ def _megapascals(value_pa: float) -> str:
 
 
 def stress_summary(result: RoughStress) -> dict[str, Any]:
-    """Return the same as numbers; unknown and infinite ones are None."""
+    """Return the report as numbers; unknown and infinite values are None."""
     bodies = []
     for body in result.bodies:
         entry = {

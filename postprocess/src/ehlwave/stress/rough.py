@@ -11,8 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.choices import POISSON_RATIO
 from ehlwave.contact.conditions import Conditions
-from ehlwave.errors import StressError
-from ehlwave.hints import see
+from ehlwave.errors import StressError, see
 from ehlwave.shown import Shown, within
 from ehlwave.stress.body import BodyStress, judge_body
 from ehlwave.stress.case import stress_of_case
@@ -56,13 +55,13 @@ class RoughStress(Shown):
     ripples : tuple of Ripple
         Their pressure.
     bodies : tuple of BodyStress
-        The first, and the other one.
+        The first, and the second.
     hertz_pa, ripple_rq_pa, friction : float
         Largest Hertz pressure; root mean square of the pressure ripple at the centre; traction
         over pressure.
     ripple_error : float
-        Relative error of the ripple: the atlas' bars, what is linear in the amplitude, and waves of
-        the centre for those of the whole contact.
+        Relative error of the ripple: the atlas' bars, the linear response, and waves of the centre
+        in place of the whole contact.
     cycles : float
         N of Dang Van's criterion.
     poisson_ratio : float or pair of float
@@ -109,7 +108,7 @@ def rough_stress(
     depths_m: ArrayLike | None = None,
     smooth: xr.Dataset | str | Path | None = None,
 ) -> RoughStress:
-    """Return the stresses of both bodies of a contact with one rough surface or two.
+    """Return the stresses of both bodies of a contact with one or two rough surfaces.
 
     Parameters
     ----------
@@ -122,17 +121,17 @@ def rough_stress(
     cycles : float
         N of Dang Van's criterion.
     poisson_ratio : float or pair of float
-        Of both bodies, or of the first and of the other one.
+        Of both bodies, or of the first and the second.
     depths_m : array_like, optional
         Depths; otherwise chosen by the waves of the pressure and by the contact.
     smooth : Dataset or path, optional
-        File of ehlwave-case of the smooth contact, whose pressure stands for that of Hertz, and its
-        shear stress for the friction below it.
+        File of ehlwave-case of the smooth contact, whose pressure replaces the Hertz pressure, and
+        whose shear stress replaces the friction.
 
     Raises
     ------
     StressError
-        If the contact has no lengths, a body stands still, or a number makes no sense.
+        If the contact has no lengths, a body stands still, or a number is out of range.
     """
     conditions = surfaces[0].conditions
     slip = conditions.slip_parameter
@@ -229,10 +228,10 @@ def _bar(ripples: Sequence[Ripple]) -> float:
 
 
 def _depths(conditions: Conditions, ripples: Sequence[Ripple]) -> Floats:
-    """Return depths from the surface over those of the ripple to those of the contact, m.
+    """Return depths from the surface, for the ripple, to the scale of the contact, m.
 
-    The stress of a wave is largest at 0.15 wavelengths, that of the contact at 0.5 to 0.8 of the
-    shorter semi-axis.
+    The stress of a wave is largest at 0.15 wavelengths, the stress of the contact at 0.5 to 0.8 of
+    the shorter semi-axis.
     """
     largest = min(conditions.semi_axis_a_m, conditions.semi_axis_b_m)
     first = 0.25 / _mean_number(conditions, ripples)

@@ -20,7 +20,7 @@ class RepeatedLoad:
     Parameters
     ----------
     loads : mapping
-        Arrays of one shape by kind.
+        Arrays of equal shape by kind.
     steps : pair of float
         Of the grid, m.
     poisson_ratio : float
@@ -60,11 +60,11 @@ class RepeatedLoad:
             self._spectra[kind] = spectrum if blur == 0 else spectrum * smoothing
 
     def at(self, depth: float) -> dict[str, Floats]:
-        """Return the stresses at one depth, m, over the points of the arrays; tension positive."""
+        """Return the stresses at a depth, m, over the points of the arrays; tension positive."""
         return {name: self._plane(waves) for name, waves in self._below(depth)}
 
     def line_at(self, depth: float, row: int) -> dict[str, Floats]:
-        """Return the same along x at one row of y, without those of the other rows."""
+        """Return the stresses along x at a row of y, without the other rows."""
         last = self._periods[1] // 2
         weight = np.where(np.arange(last + 1) % (self._periods[1] / 2) == 0, 1, 2)
         turn = weight * np.exp(2j * np.pi * row * np.arange(last + 1) / self._periods[1])
@@ -121,7 +121,7 @@ def _mean_squares(nu: float, is_endless: tuple[bool, bool]) -> tuple[float, floa
     """Return u^2 and v^2 of the mean of the load.
 
     A load that is endless along x and y is borne without lateral strain: sx = sy = nu/(1 - nu) sz.
-    One that ends is a part of long waves: of those along x where it is endless along y, else of all
+    A load that ends is a part of long waves: along x where it is endless along y, else in all
     directions alike.
     """
     if all(is_endless):

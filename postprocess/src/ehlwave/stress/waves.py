@@ -1,8 +1,8 @@
-"""Stresses below one harmonic load on an elastic half-space: exact, per wave.
+"""Stresses below a harmonic load on an elastic half-space: exact, per wave.
 
 Waves are exp(i (a x + b y)) with k = (a^2 + b^2)^(1/2); z points into the body. With u = a/k,
-v = b/k and s = kz the stresses are those below times exp(-s), per unit of load amplitude,
-compression positive, theory eq. (B1) and (B2). The forms are those of Tripp, Van Kuilenburg,
+v = b/k and s = kz the stresses are the expressions below times exp(-s), per unit of load amplitude,
+compression positive, theory eq. (B1) and (B2). The forms follow Tripp, Van Kuilenburg,
 Morales-Espejel and Werner (2003), Tribology Transactions 46, written for exponentials.
 
 | | pressure | traction on the body along x |
@@ -49,7 +49,7 @@ class Directions:
     """`uu`, `vv`: their squares, where factors are even."""
 
     def exchanged(self) -> "Directions":
-        """Return the same with x and y exchanged."""
+        """Return the stresses with x and y exchanged."""
         return Directions(self.v, self.u, self.vv, self.uu)
 
 
@@ -96,10 +96,10 @@ def wave_stress(
     Parameters
     ----------
     load : {"pressure_pa", "traction_x_pa", "traction_y_pa"}
-        What acts on the body.
+        Load on the body.
     a, b : array_like
-        Wave numbers along x and y; complex ones too, for waves that decay along the surface. Not
-        both 0.
+        Wave numbers along x and y; complex numbers for waves that decay along the surface. Not both
+        0.
     depth : array_like
         z, in the unit of 1/a.
     poisson_ratio : float

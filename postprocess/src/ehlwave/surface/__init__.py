@@ -76,7 +76,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:  # noqa: ANN401
-    """Import what draws on first use: it needs an extra."""
+    """Import plotting on first use: it needs an extra."""
     if name in ("deformed_figure", "spectrum_figure"):
         return getattr(load("ehlwave.surface.figures"), name)
     raise AttributeError(f"module 'ehlwave.surface' has no attribute {name!r}")

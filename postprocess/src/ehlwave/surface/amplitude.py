@@ -1,4 +1,4 @@
-"""Up to which amplitude predictions were compared with marches, and what amplitude adds to errors.
+"""Largest amplitude at which predictions were compared with marches, and errors by amplitude.
 
 Amplitudes are over the film of the smooth contact.
 """

@@ -1,4 +1,4 @@
-"""The answer first: lambda ratio and film of a prediction in one line, and what they mean."""
+"""The answer first: lambda ratio and film of a prediction in a line, and their meaning."""
 
 import math
 from dataclasses import asdict, dataclass
@@ -21,7 +21,7 @@ REGIMES = ("boundary", "mixed", "full film")
 
 @dataclass(frozen=True)
 class Answer:
-    """Lambda ratio with the deformed roughness, and what it means.
+    """Lambda ratio with the deformed roughness, and its meaning.
 
     Attributes
     ----------
@@ -30,14 +30,14 @@ class Answer:
     lambda_error : float or None
         Relative; None: not known.
     mean_film_m, rq_m : float or None
-        What it is made of.
+        Its parts.
     regimes : tuple of str
         ``"boundary"``, ``"mixed"``, ``"full film"``: all that the error leaves open; none
         where it is not known.
     surfaces_touch, extrapolated : bool
         As of :class:`ehlwave.surface.statistics.FilmStatistics`.
     of_both : bool
-        Whether it is that of two rough surfaces.
+        Whether it applies to two rough surfaces.
     """
 
     lambda_ratio: float | None
@@ -50,7 +50,7 @@ class Answer:
     of_both: bool = False
 
     def text(self) -> str:
-        """Return the one line."""
+        """Return the answer as a line."""
         if self.lambda_ratio is None or self.mean_film_m is None:
             return (
                 "lambda is not known without the film: give central_film_m, or radius_x_m with M, "
@@ -80,7 +80,7 @@ class Answer:
         return f"{said} ({', '.join(notes)})" if notes else said
 
     def summary(self) -> dict[str, Any]:
-        """Return the same as numbers and words."""
+        """Return the answer as numbers and words."""
         limits = {"boundary_below": BOUNDARY_BELOW, "full_film_from": FULL_FROM}
         return {"text": self.text(), **asdict(self), "limits": {**limits, "source": LIMITS_TEXT}}
 
@@ -97,7 +97,7 @@ def regimes_of(ratio: float, error: float | None) -> tuple[str, ...]:
 
 
 def answer_of(statistics: FilmStatistics) -> Answer:
-    """Return the answer of one surface."""
+    """Return the answer of a surface."""
     s = statistics
     ratio = s.lambda_ratio_after
     return Answer(

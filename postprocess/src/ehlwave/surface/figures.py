@@ -21,7 +21,7 @@ _STYLE: dict[Any, Any] = {"font.size": 8.5, "axes.labelsize": 9, "legend.fontsiz
 
 
 class Drawn(Protocol):
-    """A prediction; :class:`ehlwave.surface.Deformed` is one."""
+    """A prediction, as :class:`ehlwave.surface.Deformed`."""
 
     @property
     def surface(self) -> Surface:
@@ -33,7 +33,7 @@ class Drawn(Protocol):
 
     @property
     def conditions(self) -> Conditions:
-        """Of the contact."""
+        """Unit of the contact."""
 
     @property
     def window(self) -> Window:
@@ -47,7 +47,7 @@ class Drawn(Protocol):
 def deformed_figure(result: Drawn) -> Figure:
     """Draw a trace, or a map with its centre line, before and after; the contact to scale.
 
-    The difference is what the contact takes away: as made less as it is in the contact.
+    The difference is the flattening in the contact: height as made less height in the contact.
 
     Returns
     -------
@@ -102,7 +102,7 @@ def spectrum_figure(result: Drawn) -> Figure:
                 axes.set_xlim(right=end)
             axes.set_xlabel(rf"$\lambda_{letter}$ [$\mu$m], {text}")
         all_axes[0].set_ylabel(r"mean square per band [$\mu$m$^2$]")
-        # Eight decades at most: what rounding leaves of absent components says nothing.
+        # Eight decades at most: rounding errors of absent components mean nothing.
         low, high = all_axes[0].get_ylim()
         all_axes[0].set_ylim(max(low, high * 1e-8), high)
         found = max(

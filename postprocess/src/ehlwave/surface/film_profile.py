@@ -44,7 +44,7 @@ class Mover:
     at_centre_m: float = 0.0
 
     def film_change(self, place_m: ArrayLike, rolled_m: float, line_m: float = 0.0) -> Floats:
-        """Return the film less the smooth one, m, at places along X; see :func:`film_profile`."""
+        """Return the film less the smooth film, m, at places along X; see :func:`film_profile`."""
         places = np.asarray(place_m, dtype=float)
         height, qx, qy = self._components(line_m)
         slip = self.transfer.conditions.slip_parameter
@@ -60,9 +60,9 @@ class Mover:
         return change - self._standing(line_m)
 
     def _components(self, line_m: float) -> tuple[Complex, Floats, Floats]:
-        """Return amplitudes on the line, m, and waves per metre, of what moves and is not nothing.
+        """Return amplitudes on the line, m, and waves per metre, for moving non-zero components.
 
-        Each stands for itself and its conjugate. The shortest wave along x is its own.
+        Each represents itself and its conjugate. The shortest wave along x is its own conjugate.
         """
         spectrum, qx, qy = self._spectrum(line_m)
         moving = spectrum[1:]
@@ -90,16 +90,16 @@ class Mover:
 def film_profile(
     movers: Sequence[Mover], place_m: ArrayLike, rolled_m: float, line_m: float = 0.0
 ) -> Floats:
-    """Return the film, m, along the contact at one time: the smooth one and the waves of surfaces.
+    """Return the film, m, along the contact at a time: smooth film and waves of surfaces.
 
     It is NaN where the surfaces touch.
 
     Parameters
     ----------
     movers : sequence of Mover
-        One rough surface, or two.
+        One or two rough surfaces.
     place_m : array_like
-        Distances from the contact centre along rolling, m. The waves are those of the centre: take
+        Distances from the contact centre along rolling, m. The waves are valid at the centre: use
         them within about half a semi-axis.
     rolled_m : float
         How far the mean speed has come since the start, m: time times mean speed.

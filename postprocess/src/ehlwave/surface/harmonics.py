@@ -26,8 +26,8 @@ def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        Columns as :func:`ehlwave.laws.table_read.read_table` takes them, sorted; a
-        wavelength of 0 stands for no variation. ``mean_rise`` where linear responses have it.
+        Columns as for :func:`ehlwave.laws.table_read.read_table`, sorted; a wavelength of 0 means
+        no variation. ``mean_rise`` where linear responses have it.
     """
     d = points["radius_ratio_d"].values
     kappa = np.array([ellipticity(float(value)) for value in d])
@@ -45,7 +45,7 @@ def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
     if "mean_film_rise" in points:
         columns["mean_rise"] = _mean_rise(points)
     table = pd.DataFrame(columns).sort_values(list(keys), ignore_index=True)
-    table_rows(table, "results")  # refuses what deform --table would
+    table_rows(table, "results")  # refuses files that deform --table would refuse
     return table
 
 
@@ -60,10 +60,10 @@ def _transfer(points: xr.Dataset) -> NDArray[np.complex128]:
 
 
 def _mean_rise(points: xr.Dataset) -> NDArray[np.float64]:
-    """Return what one wave adds to the mean film, over the film, per square of amplitude over film.
+    """Return the rise of the mean film by a wave, over the film, per square of amplitude over film.
 
     A product of cosines is two waves that interfere along its crests, where the response is taken:
-    what they do to the mean of a whole surface is not known from there, and stays NaN.
+    their effect on the mean of a whole surface does not follow, and stays NaN.
     """
     rise = (points["mean_film_rise"] / points["amplitude_over_film"]).values
     is_product = (points["wavelength_x_over_a"] > 0) & (points["wavelength_y_over_a"] > 0)

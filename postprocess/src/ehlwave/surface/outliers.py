@@ -1,4 +1,4 @@
-"""Heights that were not measured: missing ones, and marks far outside all others."""
+"""Heights that were not measured: missing heights, and marks far outside all others."""
 
 from dataclasses import dataclass
 
@@ -19,9 +19,9 @@ LARGEST_SHARE = 0.1
 
 @dataclass(frozen=True)
 class Gaps:
-    """What is done about heights that were not measured.
+    """Treatment of heights that were not measured.
 
-    ``fill``: they become their nearest neighbour's; ``unit`` stands in the notes.
+    ``fill``: they become their nearest neighbour's; the notes contain ``unit``.
     """
 
     fill: bool

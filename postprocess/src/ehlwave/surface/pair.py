@@ -1,4 +1,4 @@
-"""Two rough surfaces in one contact, each as it is deformed there: what both leave of the film.
+"""Two rough surfaces in a contact, each as deformed there: the film between them.
 
 They pass each other, so their phases are free: mean squares of their heights add, and no product of
 the two is left in the mean film.
@@ -25,7 +25,7 @@ class PairStatistics:
     rq_before_m, rq_after_m : float
         Root of the sum of both mean squares.
     mean_film_m : float
-        The smooth central film and what either surface adds to it, where that is used.
+        The smooth central film and the rise by either surface, where that is used.
     minimum_film_m : float or None
         At the highest deformed points of both, by :func:`ehlwave.surface.amplitude.lowest_film`;
         None where these are above the mean film.
@@ -35,8 +35,8 @@ class PairStatistics:
         Mean film over Rq before and after.
     lambda_errors : dict of float or None
         Relative errors of `lambda_ratio_after` by name, as in
-        :class:`ehlwave.surface.statistics.FilmStatistics`, as bounds: errors of one surface
-        offset none of the other. None: a transfer has no errors.
+        :class:`ehlwave.surface.statistics.FilmStatistics`, as bounds: errors of a surface offset
+        none of the other. None: a transfer has no errors.
     lambda_error : float or None
         Their sum.
     amplitude_over_film : float
@@ -72,7 +72,7 @@ class DeformedPair(Shown):
     second: Deformed
 
     def _shown_rows(self) -> dict[str, str]:
-        """Return what both come to."""
+        """Return the statistics of both."""
         s = self.statistics
         return {
             "surfaces": f"{self.first.surface.name}, {self.second.surface.name}",
@@ -99,7 +99,7 @@ class DeformedPair(Shown):
 
     @property
     def doubts(self) -> list[str]:
-        """Return why numbers are extrapolated, or not there; those of both together at the end."""
+        """Return why numbers are extrapolated, or missing; reasons for both together at the end."""
         found = [doubt for one in (self.first, self.second) for doubt in one.doubts]
         if self.first.conditions.central_film_m is None:
             return found

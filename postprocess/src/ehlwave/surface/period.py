@@ -1,4 +1,4 @@
-"""One period cut out of a measured trace, so that copies of it join without a jump."""
+"""A period cut from a measured trace, whose copies join without a jump."""
 
 from dataclasses import replace
 
@@ -13,10 +13,10 @@ BLENDED_SHARE = 0.25
 
 
 def cut_period(surface: Surface, length_m: float, start_m: float | None = None) -> Surface:
-    """Return one period of a trace along rolling, mean 0, that continues smoothly in its copies.
+    """Return a period of a trace along rolling, mean 0, that continues smoothly in its copies.
 
-    Over the last quarter of the period the heights fade over, by half a cosine, into those one
-    period before: there the copy that follows begins, with this height and this slope.
+    Over the last quarter of the period the heights fade over, by half a cosine, into the heights
+    one period before: there the copy that follows begins, with this height and this slope.
 
     Parameters
     ----------
@@ -24,7 +24,7 @@ def cut_period(surface: Surface, length_m: float, start_m: float | None = None) 
         A trace along rolling, its form removed.
     length_m : float
         The period, m; sampled anew so that it holds a whole number of steps, about as long as
-        those of the trace.
+        the trace's.
     start_m : float, optional
         Where the period begins, m from the first point of the trace; by default the period is in
         the middle of the trace.

@@ -47,25 +47,25 @@ class Deformed(Shown):
     Attributes
     ----------
     surface : Surface
-        What was predicted from: the form removed, nothing else changed. m.
+        Surface of the prediction: the form removed, nothing else changed. m.
     height : ndarray, shape (nx, ny)
         Deformed heights, m, positive out of the material: the film at the contact centre when the
         point (x, y) of the surface passes it is ``statistics.mean_film_m`` less this.
     conditions, transfer_name, form, window, cutoffs_m
-        What it was made with.
+        Its transfer.
     spectra : dict of Spectrum
         Mean square of the components before and after, along ``"x"`` and along ``"y"``.
     statistics : FilmStatistics
         Roughness and film thickness.
     unjudged : list of Unjudged
-        Components outside what the formula or table was made for, by reason.
+        Components outside the range of the formula or table, by reason.
     warnings : list of str
-        What makes the prediction doubtful.
+        Reasons for doubt.
     error_m : float or None
         Root mean square error of the deformed heights by the errors of the responses, m; None: the
         transfer has none.
     transfer : Transfer or None
-        What it was predicted with.
+        Its transfer.
     """
 
     surface: Surface
@@ -83,7 +83,7 @@ class Deformed(Shown):
     transfer: Transfer | None = field(default=None, repr=False, compare=False)
 
     def _shown_rows(self) -> dict[str, str]:
-        """Return what the prediction comes to."""
+        """Return the results of the prediction."""
         s = self.statistics
         rows = {"surface": self.surface.name}
         if s.lambda_ratio_after is not None:
@@ -114,7 +114,7 @@ class Deformed(Shown):
 
     @cached_property
     def pressure_pa(self) -> Heights:
-        """Pressure ripple, Pa: that of the contact centre as each point of the surface passes it.
+        """Pressure ripple, Pa: at the contact centre as each point of the surface passes it.
 
         Shape of the heights. It adds to the pressure of the smooth contact.
 
@@ -160,7 +160,7 @@ def deform_surface(
 
     The surface is decomposed into its Fourier components, each is multiplied by its transfer, and
     the sum is taken again. Linear: meant for amplitudes that are small against the film. The mean
-    film is to second order where the transfer has rises: what each component adds to it.
+    film is to second order where the transfer has rises, the contribution of each component.
 
     Parameters
     ----------
@@ -173,7 +173,7 @@ def deform_surface(
     form : {"none", "mean", "plane", "quadratic"}
         Polynomial to remove first, see :func:`ehlwave.surface.prepare.remove_form`.
     window : {"mirror", "taper", "none"}
-        What is done about the ends, see :mod:`ehlwave.surface.prepare`.
+        Treatment of the ends, see :mod:`ehlwave.surface.prepare`.
     cutoffs_m : pair of float, optional
         lambda_c and lambda_s of Gaussian filters, m; waves longer than the first, and shorter than
         the second, are taken out before. None: not filtered.
@@ -238,7 +238,7 @@ def deform_surface(
     )
 
 
-def _checked_cutoffs(cutoffs_m: Any) -> Cutoffs:  # noqa: ANN401 - what users give
+def _checked_cutoffs(cutoffs_m: Any) -> Cutoffs:  # noqa: ANN401 - user input
     """Return both cut-offs, m; SurfaceError if they are no pair of numbers or None."""
     try:
         long, short = plain(cutoffs_m, "cutoffs_m")

@@ -1,17 +1,17 @@
-"""Form removal, and what is done about the ends of a measured piece of surface.
+"""Form removal, and treatment of the ends of a measured piece of surface.
 
 A Fourier series repeats the piece without end. Where its ends do not match, the jump between them
 adds components that the surface does not have. Three ways to deal with that:
 
 ``mirror``
     The piece is followed by its mirror image, so that the ends match. Nothing of the surface is
-    changed; within about one Hertz semi-axis of an end the prediction is that for the mirrored
+    changed; within about one Hertz semi-axis of an end the prediction applies to the mirrored
     neighbourhood. Four times the memory for a map.
 ``taper``
     The outer tenth at each end is faded to the mean by a cosine (Tukey window). Results of that
     margin mean nothing and are left out of the statistics.
 ``none``
-    For surfaces that do repeat: synthetic ones, or a whole number of periods.
+    For surfaces that do repeat: synthetic surfaces, or a whole number of periods.
 """
 
 from dataclasses import replace

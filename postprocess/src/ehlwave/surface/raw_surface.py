@@ -19,7 +19,7 @@ METRE = "m"
 
 @dataclass
 class RawSurface:
-    """Heights as in a file, with what the file says about them.
+    """Heights as in a file, with the metadata of the file.
 
     ``height`` has one dimension (a trace), or two (rows of constant y).
     """
@@ -49,7 +49,7 @@ def is_topography(source: object) -> TypeGuard[TopographyLike]:
 
 
 def raw_array(heights: NDArray[Any], place: Path) -> RawSurface:
-    """Return an array as it would be in a ``.npy`` file; its units are said by options."""
+    """Return an array as it would be in a ``.npy`` file; options give its units."""
     values = np.ma.asarray(heights)
     numbers_of(place, values)
     if np.ma.is_masked(values):

@@ -49,12 +49,12 @@ class ReadOptions:
         without positions; ``step_across`` is ``step`` if absent.
     rolling_axis : "x" or "y"
         Of the surface in the file. The rows of a map in a file are lines of constant y: ``x`` runs
-        along a row. A trace along rolling is ``x``, one across it ``y``.
+        along a row. A trace along rolling is ``x``, a trace across it ``y``.
     fill_missing : bool
         Replace missing heights, and heights far outside all others, by their nearest neighbours:
         at most a tenth of them. The notes of the surface state their number.
     decimal : "point", "comma" or None
-        What decimals of a text file begin with, where the file does not decide it.
+        Decimal mark of a text file, where the file does not decide it.
     channel : str or None
         The channel, or the heading of the column, of heights, where the file has several.
     """
@@ -82,16 +82,15 @@ def read_surface(path: SurfaceSource | Surface, options: ReadOptions | None = No
     ----------
     path : path, array, topography or Surface
         Text: numbers separated by commas, semicolons, tabs or blanks; columns of positions and
-        heights by their headings, two columns (position, height), points x, y, z of a grid, one
+        heights by their headings, two columns (position, height), points x, y, z of a grid, a
         column of heights, or a matrix of heights. ``.npy``: one or two dimensions; ``.npz`` and
         HDF5: ``height`` and, if there, positions ``x`` and ``y``, in HDF5 with an attribute
-        ``units``. Anything else (SDF, SUR, PLU, X3P, ...) is read by the package
-        SurfaceTopography when that is installed. The content of a file decides, not its ending.
-        Or an array, taken as one in a ``.npy`` file but in metres by default, with the step in
-        `options`; an object of SurfaceTopography; or a Surface, which is returned as it is and
-        takes no options.
+        ``units``. Anything else (SDF, SUR, PLU, X3P, ...) is read by the package SurfaceTopography
+        when that is installed. The content of a file decides, not its ending. Or an array, taken as
+        in a ``.npy`` file but in metres by default, with the step in `options`; an object of
+        SurfaceTopography; or a Surface, which is returned as it is and takes no options.
     options : ReadOptions, optional
-        What the file does not say.
+        Data that the file lacks.
 
     Returns
     -------
@@ -134,7 +133,7 @@ def read_surface(path: SurfaceSource | Surface, options: ReadOptions | None = No
     if raw.height.ndim not in (1, 2):
         raise SurfaceError(f"{file}: heights have {raw.height.ndim} dimensions, not one or two")
     height_metres = _height_unit(file, raw, said.height_unit)
-    # One copy, and none of a large single-precision map's size in double precision.
+    # A single copy, without a double-precision copy of a large single-precision map.
     kind = raw.height.dtype if raw.height.dtype == np.float32 else np.float64
     height = np.array(raw.height, dtype=kind)
     place = str(file)
@@ -164,7 +163,7 @@ def _refuse_options(surface: Surface, options: ReadOptions) -> None:
 
 
 def _found(source: SurfaceSource, options: ReadOptions) -> tuple[Path, RawSurface]:
-    """Return what a source holds, and its name for messages."""
+    """Return the content of a source, and its name for messages."""
     if isinstance(source, (str, Path)):
         return Path(source), raw_file(Path(source), options.decimal, options.channel)
     if is_topography(source):
@@ -178,9 +177,9 @@ def _found(source: SurfaceSource, options: ReadOptions) -> tuple[Path, RawSurfac
 
 
 def _without_single_line(raw: RawSurface, file: Path, options: ReadOptions) -> RawSurface:
-    """Return a map of one row or one column as the trace it is.
+    """Return a map of one row or one column as a trace.
 
-    Raises SurfaceError for one column without positions or a step along it: nothing states whether
+    Raises SurfaceError for a column without positions or a step along it: nothing states whether
     the trace was measured along or across rolling.
     """
     if raw.height.ndim != 2 or 1 not in raw.height.shape:
@@ -199,7 +198,7 @@ def _without_single_line(raw: RawSurface, file: Path, options: ReadOptions) -> R
 
 
 def _height_unit(file: Path, raw: RawSurface, said: str | None) -> float:
-    """Return the unit of heights, m: the file's, or one that a user says where it has none."""
+    """Return the unit of heights, m: the file's, or the user's where it has none."""
     value = _unit(file, _first(raw.height_unit, said), "heights", "height_unit=")
     if said is None or raw.height_unit is None:
         return value
@@ -276,14 +275,14 @@ def _is_impossible(
 
 
 def _said(file: Path, name: str, step: Any, length: float) -> float | None:  # noqa: ANN401
-    """Return a step that the user says, in the unit of lengths, m, where it has none itself."""
+    """Return a step given by the user, in the unit of lengths, m, where it has none itself."""
     if is_quantity(step):
         return number(step, f"{name}_m", str(file)) / length
     return None if step is None else number(step, name, str(file))
 
 
 def _agreed(file: Path, option: str, said: float | None, own: float | None) -> float | None:
-    """Return a step that the user or the file says; both only where they agree."""
+    """Return the step from the user or the file; both only where they agree."""
     if said is None or own is None:
         return own if said is None else said
     if not abs(said - own) <= LARGEST_STEP_DIFFERENCE * abs(own):

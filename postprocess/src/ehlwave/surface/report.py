@@ -28,7 +28,7 @@ CSV_FORMAT: Any = {"index": False, "float_format": "%.9g", "lineterminator": "\r
 
 
 def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
-    """Return what a user reads: the answer; conditions, statistics, what is not judged, warnings.
+    """Return the report: the answer; conditions, statistics, parts not judged, warnings.
 
     `others`: the same surface by other transfers, for comparison.
     """
@@ -50,7 +50,7 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         if name[1:] in ("a", "z", "sk", "ku"):
             before, unit = result.parameters["before"][name], 1 if name[1:] in ("sk", "ku") else UM
             if not math.isfinite(before):
-                continue  # of a smooth surface it is not defined
+                continue  # a smooth surface has none
             lines[-1] += f"; {name} {before * unit:.4g}, {after * unit:.4g}"
     if result.error_m is not None:
         share = result.error_m / s.rq_before_m if s.rq_before_m > 0 else 0.0
@@ -70,7 +70,7 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
             f"{100 * group.share_before:.3g} % of the mean square before, "
             f"{100 * group.share_after:.3g} % after"
         )
-        # What is below a hundredth of Rq is counted, not named.
+        # Components below a hundredth of Rq are counted, not named.
         least = 0.01 * s.rq_before_m
         named = [one for one in group.largest if one.amplitude_before_m > least]
         lines += [f"             {_component_text(component)}" for component in named]
@@ -111,7 +111,7 @@ def _film_lines(result: Deformed) -> list[str]:
 
 
 def pair_text(pair: PairStatistics) -> str:
-    """Return what two surfaces that pass each other come to, as text."""
+    """Return the results of two surfaces that pass each other, as text."""
     lines = [
         f"Both         Rq {pair.rq_before_m * UM:.4g} um as made, {pair.rq_after_m * UM:.4g} um in "
         "the contact: phases are free, so mean squares add",
@@ -134,7 +134,7 @@ def _percent(share: float) -> str:
 
 
 def report_json(result: Deformed) -> str:
-    """Return the same as a JSON document; infinite and unknown numbers become null."""
+    """Return the report as a JSON document; infinite and unknown numbers become null."""
     document = {
         "format": FORMAT_NAME,
         "answer": answer_of(result.statistics).summary(),

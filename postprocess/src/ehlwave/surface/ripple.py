@@ -32,7 +32,7 @@ centre. Where it decays fast it is not known there, and taken no larger."""
 
 @dataclass(frozen=True)
 class PressureWaves:
-    """Pressure per amplitude of waves at the contact centre; arrays of one shape."""
+    """Pressure per amplitude of waves at the contact centre; arrays of equal shape."""
 
     number_x: Floats
     number_y: Floats
@@ -87,7 +87,7 @@ def hertz_pressure_of(conditions: Conditions) -> float:
 def pressure_waves(
     conditions: Conditions, transfer: Transfer, number_x: Floats, number_y: Floats
 ) -> PressureWaves:
-    """Return the pressure of waves of these numbers, 1/m; along x 0 or more, of one shape."""
+    """Return the pressure of waves of these numbers, 1/m; along x 0 or more, of equal shape."""
     modulus = stiffness_pa(conditions)
     per_x, per_y = number_x / (2 * np.pi), np.abs(number_y) / (2 * np.pi)
     response = np.asarray(transfer.ratio(per_x, per_y), dtype=complex)

@@ -25,7 +25,7 @@ LEAST_SHARE = 1e-6
 
 
 class Predicted(Protocol):
-    """Interface of a predicted surface; :class:`ehlwave.surface.Deformed` is one."""
+    """Interface of a predicted surface, as :class:`ehlwave.surface.Deformed`."""
 
     @property
     def surface(self) -> Surface:
@@ -33,7 +33,7 @@ class Predicted(Protocol):
 
     @property
     def conditions(self) -> Conditions:
-        """Of the contact."""
+        """Unit of the contact."""
 
     @property
     def transfer(self) -> Transfer | None:
@@ -46,7 +46,7 @@ class Predicted(Protocol):
 
 @dataclass(frozen=True, repr=False)
 class Ripple(Shown):
-    """The pressure waves of one surface inside a contact."""
+    """The pressure waves of a surface inside a contact."""
 
     slip: float
     """S of the surface."""
@@ -87,7 +87,7 @@ class Ripple(Shown):
 
 
 def ripple_of(deformed: Predicted, *, every_line: bool = False) -> Ripple:
-    """Return the ripple of a surface, along some lines of a map or along every one.
+    """Return the ripple of a surface, along some or all lines of a map.
 
     Raises StressError if the surface was not predicted with a transfer, or the contact has no
     lengths.

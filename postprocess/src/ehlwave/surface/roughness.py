@@ -1,7 +1,7 @@
 """Roughness as standards name it: the Gaussian filter of ISO 16610, parameters of ISO 21920, 25178.
 
-The filter is that of profiles, ISO 16610-21, along each direction of a map it is the areal one of
-ISO 16610-61. A surface is continued by its mirror image at its ends (ISO 16610-28).
+The filter is ISO 16610-21 for profiles; along each direction of a map it is the areal filter ISO
+16610-61. A surface is continued by its mirror image at its ends (ISO 16610-28).
 """
 
 import math
@@ -26,7 +26,7 @@ NOTHING_M = 1e-15
 def gaussian_filtered(
     surface: Surface, cutoff_m: float | None = None, short_cutoff_m: float | None = None
 ) -> Surface:
-    """Return the roughness: without waves above one cut-off and below another, each a Gaussian.
+    """Return the roughness: without waves above a cut-off and below another, by Gaussian filters.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def roughness_parameters(
     is_trace : bool
         Whether they are a profile.
     section : int, optional
-        Points of a section, those of one cut-off; a fifth of the length if absent.
+        Points of a section, as many as in a cut-off; a fifth of the length if absent.
     """
     z = height.ravel() - np.mean(height, dtype=np.float64)
     if np.ptp(z) < NOTHING_M:
@@ -102,7 +102,7 @@ def _mean_line(surface: Surface, height: Heights, cutoff_m: float) -> Heights:
         count = height.shape[axis]
         if count == 1:
             continue
-        # A cosine transform is that of the surface and its mirror image.
+        # A cosine transform equals the transform of the surface with its mirror image.
         per_length = np.arange(count) / (2 * count * step)
         share = np.exp(-np.pi * (ALPHA * cutoff_m * per_length) ** 2)
         spectrum = fft.dct(height, axis=axis)

@@ -24,13 +24,13 @@ def simulation_surface(surface: Surface, form: Form = "plane", repeat: int = 1) 
     form : {"none", "mean", "plane", "quadratic"}
         Polynomial to remove first.
     repeat : int
-        Copies along the rolling direction, for patterns of one or some whole periods.
+        Copies along the rolling direction, for patterns of one or several whole periods.
 
     Raises
     ------
     SurfaceError
-        If it is a trace across rolling, which stands still as seen from the contact, or
-        ``repeat`` is below 1.
+        If it is a trace across rolling, which is stationary in the contact, or ``repeat`` is below
+        1.
     """
     if surface.is_trace and surface.trace_axis == "y":
         raise SurfaceError(
@@ -46,7 +46,7 @@ def simulation_surface(surface: Surface, form: Form = "plane", repeat: int = 1) 
 
 
 def write_simulation_surface(surface: Surface, path: Path, writer: Writer | None = None) -> None:
-    """Write height over (y, x), and x and y, in metres: what ``&surface file`` reads.
+    """Write height over (y, x), and x and y, in metres: input of ``&surface file``.
 
     x counts along the motion: the last point enters the contact first. y = 0 of the contact is in
     the middle.

@@ -1,4 +1,4 @@
-"""Spectra before and after, and the components that lie outside what a transfer knows."""
+"""Spectra before and after, and the components outside the range of a transfer."""
 
 import heapq
 import math
@@ -53,7 +53,7 @@ def empty_spectrum(q: Floats) -> Spectrum:
 
 @dataclass(frozen=True)
 class Component:
-    """One harmonic component: wavelengths, m (infinite: no variation), and amplitudes, m."""
+    """A harmonic component: wavelengths, m (infinite: no variation), and amplitudes, m."""
 
     wavelength_x_m: float
     wavelength_y_m: float
@@ -138,7 +138,7 @@ class Coverage:
             self.outside.add(is_term & fits & ~covered, qx, qy, before, after)
 
     def error_m(self) -> float | None:
-        """Return the rms error of the deformed heights by that of the transfer, m, if known."""
+        """Return the rms error of the deformed heights from the transfer's error, m, if known."""
         return None if math.isnan(self._error_square) else math.sqrt(self._error_square)
 
     def unjudged(self) -> list[Unjudged]:

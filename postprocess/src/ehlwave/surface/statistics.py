@@ -1,4 +1,4 @@
-"""Roughness and film thickness, before and after, their errors, and what makes them doubtful."""
+"""Roughness and film thickness, before and after, their errors, and reasons for doubt."""
 
 import math
 from dataclasses import dataclass
@@ -131,9 +131,9 @@ def doubts_of(statistics: FilmStatistics, conditions: Conditions) -> list[str]:
 def warnings_of(
     statistics: FilmStatistics, conditions: Conditions, is_for_rolling: bool
 ) -> list[str]:
-    """Return what the reader of a prediction should know before believing it.
+    """Return notes for the reader of a prediction.
 
-    `is_for_rolling`: the transfer is one of pure rolling.
+    `is_for_rolling`: the transfer holds for pure rolling.
     """
     found = []
     slip = conditions.slip_parameter

@@ -1,4 +1,4 @@
-"""A surface as the sum of its components: each times its transfer, and what they come to."""
+"""A surface as the sum of its components: each times its transfer, and their sum."""
 
 import math
 from typing import Any
@@ -21,7 +21,7 @@ def superposed(
 ) -> tuple[Heights, dict[str, Spectrum], Coverage, float | None]:
     """Return the sum of the components times their transfer, and the spectra on the way.
 
-    Besides the rise of the mean film over the smooth one, for Rq equal to that, if it is known.
+    Also the rise of the mean film over the smooth film, for Rq equal to the smooth film, if known.
     """
     nx, ny = height.shape
     # The half spectrum is along y but for traces along x.
@@ -69,10 +69,10 @@ def _real_at_nyquist(ratio: NDArray[Any], block: slice, nx: int) -> NDArray[Any]
 
 
 def _multiplicity(block: slice, nx: int, ny: int, half: int) -> NDArray[np.float64]:
-    """Return how often each term of a block of the half spectrum stands in the whole one.
+    """Return how often each term of a block of the half spectrum occurs in the whole spectrum.
 
     Of two conjugate terms that both are in the half spectrum (no variation, or the shortest wave,
-    along the halved direction) one is given both, the other none.
+    along the halved direction) the first gets both, the other none.
     """
     full, halved = (ny, nx) if half == 0 else (nx, ny)
     index = np.arange(full)

@@ -47,7 +47,7 @@ class Surface(Shown):
 
     @property
     def is_trace(self) -> bool:
-        """Whether heights are known along one direction only."""
+        """Whether heights are known along a single direction."""
         return 1 in self.height.shape
 
     def _shown_rows(self) -> dict[str, str]:
@@ -81,8 +81,8 @@ class Surface(Shown):
 def trace_surface(height: Heights, step_m: float, axis: Axis = "x", name: str = "trace") -> Surface:
     """Return a trace along (``axis`` x) or across (y) the rolling direction.
 
-    A trace along rolling stands for transverse roughness, one across it for longitudinal
-    roughness: ridges at right angles to the trace.
+    A trace along rolling means transverse roughness, a trace across it longitudinal roughness:
+    ridges at right angles to the trace.
 
     Raises
     ------
@@ -157,7 +157,7 @@ def checked_surface(surface: Surface) -> Surface:
     return surface
 
 
-def _is_length(step: Any) -> bool:  # noqa: ANN401 - what users give
+def _is_length(step: Any) -> bool:  # noqa: ANN401 - user input
     try:
         return not isinstance(step, str) and number(step, "step_m") > 0
     except SurfaceError:
@@ -190,8 +190,7 @@ def is_uniform(positions: NDArray[np.float64]) -> bool:
 def uniform_step(positions: NDArray[np.float64], name: str) -> float:
     """Return the step of equidistant positions, in their unit.
 
-    Raises SurfaceError if they are not increasing, or one is more than 0.05 steps from a uniform
-    grid.
+    Raises SurfaceError if they are not increasing, or more than 0.05 steps from a uniform grid.
     """
     if not np.all(np.isfinite(positions)):
         raise SurfaceError(f"{name}: positions hold missing or infinite numbers")

@@ -1,4 +1,4 @@
-"""The film between two rough surfaces that move with S and 2 - S: the sum of what each does."""
+"""The film between two rough surfaces that move with S and 2 - S: the sum of both responses."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -52,7 +52,7 @@ class FilmOfTwo(Shown):
         }
 
     def text(self) -> str:
-        """Return what a user reads."""
+        """Return the report."""
         least = self.smallest_film_m
         said = "the surfaces touch: no smallest film"
         if least is not None:
@@ -63,7 +63,7 @@ class FilmOfTwo(Shown):
         )
 
     def summary(self) -> dict[str, float | bool | None]:
-        """Return the same as numbers, m."""
+        """Return the report as numbers, m."""
         return {
             "mean_film_m": self.mean_film_m,
             "film_rq_m": self.rq_m,
@@ -82,9 +82,9 @@ class FilmOfTwo(Shown):
 def film_of_two(first: Deformed, second: Deformed) -> FilmOfTwo:
     """Return the film at the contact centre from the deformed heights of both surfaces.
 
-    Their leading ends are at the centre together; it ends with the one that has passed first. Maps
-    are taken along their middle lines. Linear: what one surface does to the other is of second
-    order. A surface at rest (S = 0) stays with its leading end at the centre.
+    Their leading ends are at the centre together; it ends with the surface that has passed first.
+    Maps are taken along their middle lines. Linear: the effect of a surface on the other is of
+    second order. A surface at rest (S = 0) stays with its leading end at the centre.
 
     Raises
     ------
@@ -103,7 +103,7 @@ def film_of_two(first: Deformed, second: Deformed) -> FilmOfTwo:
     step = min(one.surface.step_x_m / one.conditions.slip_parameter for one in moving)
     rolled = np.arange(0.0, min(lengths) + 0.5 * step, step)
     deformed = [_passing(one, rolled) for one in both]
-    # What the linear prediction leaves of the means belongs to the film, not to the roughness.
+    # Changes of the means in the linear prediction belong to the film, not to the roughness.
     mean = film if first.statistics.mean_film_m is None else first.statistics.mean_film_m
     if second.statistics.mean_film_m is not None:
         mean += second.statistics.mean_film_m - film

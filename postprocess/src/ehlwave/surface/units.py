@@ -3,8 +3,7 @@
 import re
 import unicodedata
 
-from ehlwave.errors import SurfaceError
-from ehlwave.hints import did_you_mean
+from ehlwave.errors import SurfaceError, did_you_mean
 
 _NAMES = {
     1.0: "m meter meters metre metres mètre mètres",
@@ -72,8 +71,8 @@ _BRACKETS = re.compile(r"[\[({<]([^\[\](){}<>]*)[\])}>]")
 def split_unit(heading: str) -> tuple[str, str | None]:
     """Return the words and the unit of a heading, None if it has none.
 
-    Units stand in brackets (``x [um]``, ``height (nm)``), behind a mark (``x/mm``, ``x_m``,
-    ``Weg, mm``) or as last word (``Lateral um``, ``z in um``). A unit may be of no length.
+    Units are in brackets (``x [um]``, ``height (nm)``), behind a mark (``x/mm``, ``x_m``, ``Weg,
+    mm``) or as last word (``Lateral um``, ``z in um``). A unit may be of no length.
     """
     text = unicodedata.normalize("NFKC", heading[:LONGEST_HEADING]).strip()
     for found in _BRACKETS.finditer(text):

@@ -9,8 +9,7 @@ from scipy.optimize import linprog
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.moes_parameters import moes_values
 from ehlwave.contact.thinning import MOST_LOSS
-from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.hints import see
+from ehlwave.errors import RangeError, SurfaceError, see
 from ehlwave.inputs.slip import RATIO, SLIP, ratio_of
 from ehlwave.laws.atlas.kind import Kind, is_within
 from ehlwave.quantities import PLAUSIBLE, unit_of

@@ -22,16 +22,16 @@ _HEAD = 4096
 
 
 def raw_file(file: Path, decimal: Decimal | None, channel: str | None = None) -> RawSurface:
-    """Return what a file holds.
+    """Return the content of a file.
 
     Parameters
     ----------
     file : path
         Its content decides how it is read, not its ending.
     decimal : {"point", "comma"} or None
-        What decimals of a text begin with, if it is said.
+        Decimal mark of a text, if given.
     channel : str or None
-        The channel or column of heights, if it is said.
+        The channel or column of heights, if given.
 
     Raises
     ------
@@ -79,7 +79,7 @@ def _is_text(head: bytes) -> bool:
 
 
 def _from_archive(file: Path) -> RawSurface:
-    """Return the arrays of an archive that are known, once their sizes are those of its data."""
+    """Return the known arrays of an archive, after a check of their sizes."""
     with zipfile.ZipFile(file) as archive:
         sizes = {entry.filename: entry.file_size for entry in archive.infolist()}
         for name in (f"{name}.npy" for name in ARRAYS):
@@ -96,7 +96,7 @@ def _from_archive(file: Path) -> RawSurface:
 
 
 def _claimed_points(entry: IO[bytes]) -> int:
-    """Return how many numbers the head of an array says that there are."""
+    """Return the number of values that the head of an array declares."""
     version = np.lib.format.read_magic(entry)
     if version == (1, 0):
         shape = np.lib.format.read_array_header_1_0(entry)[0]
@@ -130,7 +130,7 @@ def _from_hdf5(file: Path, inside: h5py.File) -> RawSurface:
     if not arrays:
         arrays = {name: None for name in inside if name != "height"}
     raw = _from_arrays(file, arrays, {name: unit for name, unit in units.items() if unit})
-    # Files of `ehlwave deform` hold (x, y): dimension scales say which is which.
+    # Files of `ehlwave deform` hold (x, y): dimension scales identify them.
     if raw.height.ndim == 2 and "x" in inside["height"].dims[0].keys():  # noqa: SIM118
         raw.height = raw.height.T
     return raw

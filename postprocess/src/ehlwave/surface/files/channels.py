@@ -26,7 +26,7 @@ def chosen_channel(file: Path, channels: Sequence[Any], wanted: str | None = Non
     Raises
     ------
     SurfaceError
-        If no channel, or more than one, can be the heights.
+        If no channel, or several, can be the heights.
     """
     if not channels:
         raise SurfaceError(f"{file}: holds no channel of heights")
@@ -52,7 +52,7 @@ def chosen_channel(file: Path, channels: Sequence[Any], wanted: str | None = Non
 
 
 def _unnamed(heights: Sequence[Any]) -> list[Any]:
-    """Return the only channel, if its name is that of no other quantity."""
+    """Return the only channel, unless its name belongs to another quantity."""
     if len(heights) != 1:
         return []
     other = {"amplitude", "phase", "error", "deflection", "friction", "lateral", "current"}

@@ -12,7 +12,7 @@ from ehlwave.surface.files.words import Heading
 class Chosen:
     """Columns of a table.
 
-    ``positions`` are none, one (along the trace), or two (x and y); ``note`` names them.
+    ``positions`` has none, one (along the trace) or two (x and y); ``note`` names them.
     """
 
     positions: tuple[int, ...]
@@ -29,7 +29,7 @@ def chosen_columns(
     neither positions nor heights.
 
     Raises SurfaceError if headings name several columns of heights or of positions, and `channel`
-    does not say which is the height.
+    does not select the height.
     """
     everything = range(len(headings))
     if channel is None and not any(one.role or one.unit for one in headings):
@@ -68,7 +68,7 @@ def chosen_columns(
 def _positions(
     file: Path, headings: Sequence[Heading], x: list[int], y: list[int], free: list[int]
 ) -> tuple[int, ...]:
-    """Return one column of positions, two of x and y, or none."""
+    """Return a column of positions, two columns of x and y, or none."""
     x, y = _with_units(headings, x), _with_units(headings, y)
     if not x and not y:
         with_unit = [k for k in free if headings[k].unit]
@@ -83,7 +83,7 @@ def _positions(
 
 
 def _with_units(headings: Sequence[Heading], held: list[int]) -> list[int]:
-    """Return the columns with a unit of length, or all if none has one."""
+    """Return the columns with a unit of length, or all if none has a unit of length."""
     return [k for k in held if headings[k].unit] or held
 
 

@@ -1,8 +1,8 @@
 """The meaning of commas in a text table: columns, decimals or thousands.
 
-``-14,0`` is a position and a height, or one height; ``1,234`` is a little more than one, or more
-than a thousand. Where the table itself decides it is followed, where it does not both readings are
-named and ``--decimal`` decides.
+``-14,0`` is a position and a height, or a single height; ``1,234`` is slightly above 1, or above
+1000. The table itself decides where it can; otherwise an error names both readings, and
+``--decimal`` decides.
 """
 
 import re
@@ -23,7 +23,7 @@ _SMALL = re.compile(r"[-+]?\d{1,3}$")
 def settled(
     file: Path, body: Sequence[str], separator: str | None, names: int, decimal: Decimal | None
 ) -> tuple[list[str], str | None, bool]:
-    """Return lines with decimal points, what separates their numbers, and whether it was commas.
+    """Return lines with decimal points, the separator of their numbers, and whether it was commas.
 
     Parameters
     ----------
@@ -32,16 +32,16 @@ def settled(
     body : sequence of str
         The lines with numbers.
     separator : str or None
-        What seems to separate them; None: blanks.
+        Apparent separator; None: blanks.
     names : int
         Headings above them, as many as commas separate; 0 if there are none.
     decimal : {"point", "comma"} or None
-        What the user says.
+        Choice of the user.
 
     Raises
     ------
     SurfaceError
-        If there are two readings and the user does not say which.
+        If there are two readings and the user chose none.
     """
     has_points = any("." in line for line in body)
     if not any("," in line for line in body) and not (decimal == "comma" and has_points):
@@ -56,7 +56,7 @@ def settled(
 
 
 def _is_decimal(file: Path, body: Sequence[str], names: int, decimal: Decimal | None) -> bool:
-    """Return whether each second comma of a table separated by commas is a decimal one."""
+    """Return whether each second comma of a table separated by commas is a decimal comma."""
     if decimal is not None:
         return decimal == "comma"
     if any("." in line for line in body):
@@ -116,7 +116,7 @@ def _looks_like_decimals(rows: Sequence[Sequence[str]]) -> bool:
 
 
 def _joined(file: Path, line: str) -> str:
-    """Return a line separated by commas with each pair of its cells as one number."""
+    """Return a line separated by commas with each pair of its cells as a number."""
     cells = [cell.strip() for cell in line.split(",")]
     if len(cells) == 1:
         return cells[0]

@@ -1,4 +1,4 @@
-"""Surfaces from tables of numbers: a trace, a map, or points of one."""
+"""Surfaces from tables of numbers: a trace, a map, or points of a map."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -19,7 +19,7 @@ FEWEST_OF_MAP = 8
 
 
 def raw_text(file: Path, decimal: Decimal | None, channel: str | None = None) -> RawSurface:
-    """Return the surface of a text file; `decimal` and `channel` are what a user says.
+    """Return the surface of a text file; `decimal` and `channel` are choices of the user.
 
     Raises SurfaceError if the file cannot be read, or can be read in two ways.
     """
@@ -78,7 +78,7 @@ def _one_column(file: Path, table: TextTable) -> RawSurface:
 def _of_columns(
     file: Path, table: TextTable, positions: tuple[int, ...], height: int
 ) -> RawSurface:
-    """Return heights over one or two columns of positions, or over none."""
+    """Return heights over one or two columns of positions, or none."""
     units = [one.unit for one in table.headings] or [None] * table.numbers.shape[1]
     z, height_unit = table.numbers[:, height], units[height] or table.stated.height_unit
     if not positions:
@@ -148,7 +148,7 @@ def _matrix(file: Path, table: TextTable) -> RawSurface:
 def _framed(file: Path, raw: RawSurface) -> RawSurface | None:
     """Return a matrix whose first row and column are positions; None if neither is.
 
-    Raises SurfaceError if one of them alone seems to be.
+    Raises SurfaceError if only one of them seems to be.
     """
     numbers = raw.height
     row = _is_frame(numbers[0, 1:], numbers[1:, 1:])

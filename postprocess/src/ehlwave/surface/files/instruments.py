@@ -34,7 +34,7 @@ _BY_CHANCE = ("hgt", "nms", "xyz", "asc")
 
 
 def is_instrument_text(head: bytes) -> bool:
-    """Return whether a text that begins so has a format that instruments know."""
+    """Return whether a text that begins so has a format of an instrument."""
     head = head.removeprefix(b"\xef\xbb\xbf").lstrip()
     return _SDF.match(head) is not None or head.startswith(_TEXTS)
 
@@ -45,17 +45,17 @@ def raw_instrument(file: Path, head: bytes, channel: str | None = None) -> RawSu
     Parameters
     ----------
     file : path
-        Of any format that it knows.
+        Of any known format.
     head : bytes
-        What the file begins with.
+        First bytes of the file.
     channel : str or None
         The channel of heights, where there are several.
 
     Raises
     ------
     SurfaceError
-        If it is not installed, or cannot read the file; the reason is that of the reader of
-        this format.
+        If it is not installed, or cannot read the file; the reason comes from the reader of this
+        format.
     """
     try:
         import SurfaceTopography  # optional, and slow to import
@@ -104,7 +104,7 @@ def _reader(file: Path, head: bytes, package: Any) -> Any:  # noqa: ANN401 - has
 
 
 def _by_likelihood(file: Path, head: bytes, package: Any) -> tuple[list[Any], list[Any], list[Any]]:  # noqa: ANN401
-    """Return readers whose first bytes are those of the file, readers of its ending, and others."""
+    """Return readers that match the first bytes, readers of the ending, and others."""
     certain, named, others = [], [], []
     suffix = file.suffix.lower().removeprefix(".")
     for kind in package.IO.readers:
@@ -131,7 +131,7 @@ def _by_likelihood(file: Path, head: bytes, package: Any) -> tuple[list[Any], li
 
 
 def _source(file: Path, head: bytes) -> Any:  # noqa: ANN401
-    """Return what readers open: the path, or a copy in memory that they understand."""
+    """Return the input of readers: the path, or a copy in memory that they can read."""
     if (found := _SDF.match(head)) and head[1:8] != b"ISO-1.0":
         data = file.read_bytes()
         rest = data[8:] if found[1] == b"b" else data[found.end() :]
@@ -147,7 +147,7 @@ def _source(file: Path, head: bytes) -> Any:  # noqa: ANN401
 
 
 def _without_folder(file: Path, archive: zipfile.ZipFile, folder: str) -> bytes:
-    """Return an archive with the files of one of its folders at its top."""
+    """Return an archive with the files of a folder at its top."""
     entries = [one for one in archive.infolist() if one.filename.startswith(folder)]
     if sum(one.file_size for one in entries) > min(
         8 * MOST_POINTS, max(2**24, DATA_PER_BYTE * file.stat().st_size)

@@ -1,4 +1,4 @@
-"""Heights over columns of x and y: a map, a trace along an axis, or an oblique one."""
+"""Heights over columns of x and y: a map, a trace along an axis, or an oblique trace."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,7 +26,7 @@ class Places:
 
 
 def placed(file: Path, x: Numbers, y: Numbers, z: Numbers) -> Places:
-    """Return heights over x and y, which are in one unit.
+    """Return heights over x and y, which share a unit.
 
     Raises SurfaceError if the points are neither a grid nor equidistant on a straight line.
     """

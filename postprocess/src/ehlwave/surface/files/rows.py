@@ -1,4 +1,4 @@
-"""The block of numbers in a text: where it begins and ends, and what separates its cells."""
+"""The block of numbers in a text: its begin and end, and the separator of its cells."""
 
 import codecs
 import contextlib
@@ -43,7 +43,7 @@ class Rows:
     body : list of str
         Its lines.
     separator : str or None
-        What separates cells; None: blanks.
+        Separator of cells; None: blanks.
     """
 
     above: list[str]
@@ -54,9 +54,8 @@ class Rows:
 def rows_of(file: Path) -> Rows:
     """Return the block of numbers of a text file.
 
-    The block begins with the first of three lines that have as many numbers; anything may stand
-    above it. Empty lines, and lines within it that begin with ``#``, are skipped; text below it is
-    left out.
+    The block begins with the first of three lines with equally many numbers, after any header.
+    Empty lines, and lines within it that begin with ``#``, are skipped; text below it is left out.
 
     Raises SurfaceError if there is none.
     """
@@ -77,7 +76,7 @@ def rows_of(file: Path) -> Rows:
     above = [_without_mark(line) for line in content[:start]]
     body = [line for line in content[start:] if not line.lstrip().startswith("#")]
     while len(body) > 1 and not _is_cell(split(body[-1], separator)[0]):
-        body.pop()  # what stands below
+        body.pop()  # the text below
     while separator is not None and len(body) > 1 and all(map(_ends(separator), body)):
         body = [line.rstrip(" ")[:-1] for line in body]  # separators end the rows
     return Rows(above, body, separator)
@@ -110,7 +109,7 @@ def in_numerals(line: str, separator: str | None) -> str:
 
 
 def unquoted(lines: Sequence[str]) -> list[str]:
-    """Return lines whose numbers stand in quotes without them; others as they are."""
+    """Return lines with quoted numbers without the quotes; others unchanged."""
     if not any('"' in line and _QUOTED_NUMBER.search(line) for line in lines):
         return list(lines)
     body = [line for line in lines if _QUOTED_NUMBER.search(line)]
@@ -125,7 +124,7 @@ def unquoted(lines: Sequence[str]) -> list[str]:
 
 
 def _text(file: Path) -> str:
-    """Return what a file says in UTF-8, UTF-16, Shift-JIS or Latin-1."""
+    """Return the text of a file in UTF-8, UTF-16, Shift-JIS or Latin-1."""
     data = file.read_bytes()
     marked = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     if not marked and data[1:200:2].count(0) > 90:
@@ -159,7 +158,7 @@ def _without_mark(line: str) -> str:
 
 
 def _ends(separator: str) -> Callable[[str], bool]:
-    """Return whether a line ends with a separator and has another one or a number before it."""
+    """Return whether a line ends with a separator after another separator or a number."""
     return lambda line: line.rstrip(" ").endswith(separator)
 
 
@@ -187,7 +186,7 @@ def _cells(line: str, separator: str | None) -> int:
 
 
 def _separator(line: str) -> str | None:
-    """Return what separates the numbers of a line."""
+    """Return the separator of the numbers of a line."""
     for separator in SEPARATORS:
         if separator is not None and separator not in line:
             continue
@@ -199,7 +198,7 @@ def _separator(line: str) -> str | None:
 
 
 def _first_numbers(lines: Sequence[str]) -> tuple[int, str | None] | None:
-    """Return the line in which the numbers begin, and what separates them."""
+    """Return the line in which the numbers begin, and their separator."""
     first = None
     for start, line in enumerate(lines):
         head = line.lstrip(" \t;,|")[:1]

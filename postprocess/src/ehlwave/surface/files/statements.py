@@ -1,4 +1,4 @@
-"""Steps, extents and units that stand above the numbers of a text, each in a line of its own."""
+"""Steps, extents and units above the numbers of a text, each in a line of its own."""
 
 import re
 import unicodedata
@@ -46,7 +46,7 @@ _MARKS = re.compile(r"[\s:=;,\"'|]+")
 
 @dataclass
 class Statements:
-    """What stands above the numbers.
+    """Text above the numbers.
 
     ``step`` and ``step_across`` are values with their units, ``extent`` the width and height of
     a map with units.
@@ -60,7 +60,7 @@ class Statements:
 
 
 def statements_of(file: Path, lines: Iterable[str]) -> Statements:
-    """Return what lines state.
+    """Return the statements of lines.
 
     Raises SurfaceError if two of them contradict each other, or heights are to be multiplied.
     """
@@ -72,7 +72,7 @@ def statements_of(file: Path, lines: Iterable[str]) -> Statements:
 
 
 def _state(file: Path, found: Statements, line: str) -> None:
-    """Take what one line states."""
+    """Take the statement of a line."""
     line = line.strip(" \t#%;*!/\\\"'")
     number = _VALUE.search(line)
     if number is None:

@@ -29,7 +29,7 @@ _UNUSUAL = re.compile(r"[dD*]|[a-zA-Z/#]{2}|--|-\s|-$")
 
 @dataclass
 class TextTable:
-    """Numbers of a text file and what stands above them.
+    """Numbers of a text file and the text above them.
 
     Attributes
     ----------
@@ -38,13 +38,13 @@ class TextTable:
     headings : list of Heading
         Of each column, or none.
     has_decimal_commas : bool
-        Whether commas were taken as decimal ones.
+        Whether commas were read as decimal commas.
     stated : Statements
         Steps, extents and units.
     across : ndarray or None
         Numbers above the columns of a matrix whose first heading is none: positions.
     notes : list of str
-        What was left out.
+        Parts left out.
     """
 
     numbers: Numbers
@@ -59,8 +59,8 @@ def read_text_table(file: Path, decimal: Decimal | None = None) -> TextTable:
     """Return a table of numbers, and the units and steps that the file states.
 
     Headings give roles and units (``x [um]``, ``height (nm)``, ``x/mm``, ``x_m``); a row of units
-    may follow them. Numbers may have decimal commas; what commas mean is found by
-    :mod:`ehlwave.surface.files.decimals`, or said by `decimal`. Columns without any number are
+    may follow them. Numbers may have decimal commas; the meaning of commas is found by
+    :mod:`ehlwave.surface.files.decimals`, or given by `decimal`. Columns without any number are
     left out.
 
     Raises SurfaceError if a row has another length than the first, or a cell is not a number. Empty
@@ -105,7 +105,7 @@ def _heading_cells(rows: Rows, columns: int) -> list[str]:
             units = bare
             continue
         if columns > 1 and len(set(cells)) == 1:
-            continue  # a row of comments, which tells no column from another
+            continue  # a row of comments, which identifies no column
         if columns == 1 and heading_of(cells[0]).unit is None and heading_of(cells[0]).role is None:
             return [] if units is None else [f"[{units[0]}]"]
         if units is not None:
@@ -187,7 +187,7 @@ def _positions_above(cells: Sequence[str]) -> Numbers | None:
 
 
 def _without_counts(numbers: Numbers) -> tuple[Numbers, str]:
-    """Return one column without the count of its heights above them, and what was left out."""
+    """Return a column without the count of its heights above them, and the parts left out."""
     if numbers.shape[1] != 1:
         return numbers, ""
     for place in range(min(4, len(numbers) - 8)):
@@ -201,7 +201,7 @@ def _numbers(file: Path, body: Sequence[str], separator: str | None) -> Numbers:
     text = "\n".join(body)
     if separator is not None:
         gap = re.escape(separator)
-        # Two separators in a row, or one at an end of a line, leave a height out.
+        # Two separators in a row, or a separator at the end of a line, leave a height out.
         empty = rf"(?m)(?:(?<={gap})|^)[ ]*(?={gap})|(?<={gap})[ ]*(?=\r?$)"
         if re.search(empty, text):
             text = re.sub(empty, "nan", text)

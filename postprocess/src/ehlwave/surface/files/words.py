@@ -66,7 +66,7 @@ class Heading:
 def heading_of(text: str) -> Heading:
     """Return the role and the unit of a heading; times, numbers of rows and forces are other.
 
-    A column without a name among named ones numbers the rows: it is other, too.
+    A column without a name among named columns numbers the rows: it counts as other, too.
     """
     if not text.strip():
         return Heading(text, "other", None)

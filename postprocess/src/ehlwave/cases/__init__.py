@@ -1,0 +1,1 @@
+"""Cases and studies by the programs."""
