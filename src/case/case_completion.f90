@@ -3,6 +3,7 @@ module ehlwave_case_completion
    use ehlwave_case_definition, only: case_t, largest_line_cells, usual_largest_cells
    use ehlwave_case_heat, only: check_heat, heat_of_oil
    use ehlwave_case_lubricant, only: check_lubricant, pressure_viscosity
+   use ehlwave_case_touching, only: check_touching, complete_amplitude
    use ehlwave_conditions, only: conditions_from_dimensional, conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_inlet_plan, only: check_inlet
@@ -32,9 +33,12 @@ contains
       if (.not. allocated(error) .and. conditions%is_line()) call complete_line(case, error)
       if (case%largest_cells == 0) case%largest_cells = usual_largest_cells
       if (.not. allocated(error)) call complete_roughness(case, error)
+      call complete_amplitude(case%roughness_t, '', conditions, error)
+      call complete_amplitude(case%second, '2', conditions, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
       if (.not. allocated(error)) call check_inlet(case, error)
+      call check_touching(case, error)
       if (.not. allocated(error)) call check_scheme(case, error)
       if (.not. allocated(error)) call choose_scheme(case, conditions)
       if (.not. allocated(error)) call choose_method(case, conditions)

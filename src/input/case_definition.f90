@@ -6,6 +6,7 @@ module ehlwave_case_definition
    use ehlwave_kinds, only: dp
    use ehlwave_number_table, only: path_length
    use ehlwave_oil, only: oil_t
+   use ehlwave_touching_data, only: touching_data_t
    implicit none (type, external)
    private
    public :: name_length, path_length
@@ -18,7 +19,9 @@ module ehlwave_case_definition
       real(dp) :: wavelength_over_a = 0                  !! of a custom pattern the shorter one, completed
       real(dp) :: wavelength_x_over_a = 0, wavelength_y_over_a = 0   !! 0: no variation; completed
       logical :: oblique = .false.
-      real(dp) :: amplitude_over_film = 0.2_dp
+      real(dp) :: amplitude_over_film = 0.2_dp           !! estimated where `amplitude_m` is given
+      real(dp) :: amplitude_m = 0                        !! 0: by the film
+      real(dp) :: phase_deg = 0                          !! of waves at rest whose surfaces may touch
       character(len=path_length) :: surface_file = ''    !! measured surface in place of waviness
    contains
       procedure :: is_wavy
@@ -38,6 +41,8 @@ module ehlwave_case_definition
       type(oil_t) :: oil
       ! &heat
       type(heat_data_t) :: heat
+      ! &touching
+      type(touching_data_t) :: touching
       ! &waviness
       character(len=name_length) :: response = 'transient'
       ! &waviness2 and &surface2

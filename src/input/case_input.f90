@@ -89,7 +89,13 @@ contains
          call file%refuse('lubricant', former_limit, problem, error, item%line)
       end if
       call take_values(list, self%case)
-      if (allocated(error) .or. any(self%is_given(:list%count) .and. list%keys(:list%count)%group == 'heat')) return
+      if (allocated(error)) return
+      if (file%has_group('touching') .and. .not. self%case%touching%is_given()) then
+         call raise(error, file%place('touching', '')//'&touching film_m is missing: write the boundary film at which '// &
+            'solids begin to bear, on which their share depends, or remove the group')
+         return
+      end if
+      if (any(self%is_given(:list%count) .and. list%keys(:list%count)%group == 'heat')) return
       if (.not. file%has_group('heat')) return
       call raise(error, file%place('heat', '')//'&heat has no data: write oil_conductivity_w_per_m_k and the '// &
          'others that it needs, or remove the group, without which the contact is isothermal')

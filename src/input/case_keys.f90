@@ -14,6 +14,7 @@ module ehlwave_case_keys
    use ehlwave_oil_keys, only: visit_oil_keys
    use ehlwave_roughness_keys, only: visit_surface, visit_waviness
    use ehlwave_threads, only: most_threads
+   use ehlwave_touching_keys, only: visit_touching_keys
    implicit none (type, external)
    private
    public :: case_key_list, case_values, take_values
@@ -59,7 +60,11 @@ contains
       call visit_conditions(case, list)
       call visit_oil_keys(case%oil, case%heat%is_given(), list)
       call visit_heat_keys(case%heat, list)
+      call visit_touching_keys(case%touching, list)
       call visit_waviness(case%roughness_t, '', list)
+      call list%see(case%phase_deg, key_t('phase_deg', 'phase of waves at rest; 0: smallest gap at X = 0', unit='deg', &
+         minimum=-360.0_dp, maximum=360.0_dp, is_late=.true., when='waves at rest with &touching', &
+         applies=case%touching%is_given() .and. case%is_wavy() .and. .not. case%moves()))
       call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude "// &
          "in time, "// &
          "'periodic': the periodic state of these waves, by a march from their linear response; where that does "// &

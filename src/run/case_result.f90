@@ -11,6 +11,7 @@ module ehlwave_case_result
    use ehlwave_shear_result, only: shear_result_t
    use ehlwave_starved_result, only: starved_result_t
    use ehlwave_status, only: status_pending
+   use ehlwave_touching_result, only: touching_result_t
    implicit none (type, external)
    private
 
@@ -67,6 +68,7 @@ module ehlwave_case_result
       type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates
       type(rolling_result_t) :: rolling              !! its resistance to rolling
       type(heat_result_t) :: heat                    !! temperatures of the smooth contact, if they are found
+      type(touching_result_t) :: touching            !! load that solids bear, where surfaces may touch
       character(len=:), allocatable :: warning       !! what the model leaves out and matters here, else empty
       ! the largest over all solutions of the case
       real(dp) :: residual = 0                       !! mass residual, see solve_report_t

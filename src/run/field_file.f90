@@ -48,6 +48,12 @@ contains
             if (allocated(result%pair%surface_position)) call file%write('surface_position_2_m', &
                result%pair%surface_position, 'm', 'x on surface 2, as in its file, that is at the contact centre', &
                'time')
+            if (allocated(result%touching%share_history)) then
+               call file%write('touching_share_over_time', result%touching%share_history, '1', &
+                  'share of the load that the solids bear', 'time')
+               call file%write('touching_area_over_time', result%touching%area_history, '1', &
+                  'area where the solids bear over the Hertz area', 'time')
+            end if
             if (allocated(result%approach_history)) &
                call file%write('approach', result%approach_history, '1', 'mutual approach Delta', 'time')
          end if
@@ -61,6 +67,12 @@ contains
          call file%write('film', result%h, '1', 'H = h/c of the last solution', 'x', 'y')
          if (allocated(result%shear_stress_pa)) call file%write('mean_shear_stress_pa', result%shear_stress_pa, 'Pa', &
             'mean of the shear stresses at the two surfaces along x, last solution', 'x', 'y')
+         if (allocated(result%touching%c)) then
+            call file%write('contact_pressure', result%touching%c, '1', 'C = c/ph, pressure of the solids, last solution', &
+               'x', 'y')
+            call file%write('content', result%touching%theta, '1', &
+               'theta, share of the gap that oil fills, last solution', 'x', 'y')
+         end if
          if (allocated(result%rise_k)) call write_temperatures(file, result%rise_k)
       end if
       if (allocated(result%starved%content)) then

@@ -18,6 +18,7 @@ module ehlwave_quantities
    use ehlwave_rolling_result, only: rolling_result_t
    use ehlwave_starved_result, only: starved_result_t
    use ehlwave_status, only: status_name
+   use ehlwave_touching_result, only: touching_result_t
    use ehlwave_wave_quantities, only: add_pair, add_response, add_sensitivities
    implicit none (type, external)
    private
@@ -169,6 +170,7 @@ contains
       end associate
       call add_rolling(list, plan%conditions, result%rolling)
       call add_heat(list, case, plan, result%heat)
+      call add_touching(list, case, plan, result%touching)
       call list%add('warning', 'what the model leaves out and matters here', result%warning)
    end subroutine add_shear
 
@@ -247,6 +249,40 @@ contains
          repeat(' ', len(case%heat%wave_temperatures)), is_warm .and. case%is_wavy())), &
          exists=is_warm .and. case%is_wavy())
    end subroutine add_heat
+
+   !> What the solids bear, where surfaces may touch.
+   subroutine add_touching(list, case, plan, touching)
+      type(quantity_list_t), intent(inout) :: list
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(touching_result_t), intent(in) :: touching
+      logical :: exists
+
+      exists = case%touching%is_given()
+      call list%add('touching_share', 'share of the load that the solids bear; in a march its mean over what is '// &
+         'measured', touching%share, exists=exists)
+      call list%add('touching_share_error', 'its error by the mesh, absolute', touching%share_error, exists=exists)
+      call list%add('touching_area', 'area where the solids bear over the Hertz area; in a march its mean', &
+         touching%area, exists=exists)
+      call list%add('touching_area_error', 'its error by the mesh, absolute', touching%area_error, exists=exists)
+      call list%add('touching_is_artefact', '1 where the share falls with the mesh size', touching%is_artefact, &
+         exists=exists)
+      call list%add('touching_meshes', 'meshes that these errors are from', touching%meshes, exists=exists)
+      call list%add('mean_speed_m_per_s', 'mean speed at which the solids bear the share that is given', touching%speed, &
+         unit='m/s', exists=case%touching%seeks_speed())
+      call list%add('mean_speed_error', 'its relative error by the mesh', touching%speed_error, &
+         exists=case%touching%seeks_speed())
+      call list%add('solid_friction_coefficient', 'friction of the solids over the load, part of '// &
+         'friction_coefficient', touching%solid_friction, exists=exists)
+      call list%add('oil_friction_coefficient', 'friction of the oil over the load, the other part', &
+         touching%friction_oil, exists=exists)
+      call list%add('max_contact_pressure', 'largest pressure of the solids over ph', touching%max_contact_pressure, &
+         exists=exists)
+      call list%add('max_total_pressure', 'largest pressure of oil and solids together over ph', &
+         touching%max_total_pressure, exists=exists)
+      call list%add('mean_film_um', 'mean film that the oil has in the Hertz contact', &
+         touching%mean_film*plan%conditions%c_m*um_per_m, unit='um', exists=exists)
+   end subroutine add_touching
 
    subroutine add_effort(list, result)
       type(quantity_list_t), intent(inout) :: list

@@ -23,7 +23,7 @@ module ehlwave_shared_steady
    use ehlwave_warm_steady, only: solve_warm
    implicit none (type, external)
    private
-   public :: limits_of, steady_key
+   public :: grid_of, limits_of, steady_key
 
    !> It owns the hierarchy. What holds so much is a `class` here and where it is declared: for a `type` gfortran writes
    !> copies and ends of all its parts into each procedure, which takes three times as long to compile.

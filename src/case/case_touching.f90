@@ -1,0 +1,88 @@
+!> A case whose surfaces may touch: what it needs, and what it cannot be asked for.
+module ehlwave_case_touching
+   use ehlwave_case_definition, only: case_t, roughness_t
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_formula, only: expected_film
+   use ehlwave_key_applicability, only: check_needed
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: check_touching, complete_amplitude
+
+contains
+
+   !> Give waves of a known amplitude the amplitude over the film of the formula, for estimates of the plan.
+   subroutine complete_amplitude(roughness, number, conditions, error)
+      type(roughness_t), intent(inout) :: roughness
+      character(len=*), intent(in) :: number         !! of the surface in the names of groups: '' or '2'
+      type(conditions_t), intent(in) :: conditions
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error) .or. .not. roughness%amplitude_m > 0) return
+      if (conditions%has_dimensions) then
+         roughness%amplitude_over_film = roughness%amplitude_m/(conditions%c_m*expected_film(conditions))
+      else
+         call raise(error, '&waviness'//number//' amplitude_m holds metres: give &conditions by dimensional data '// &
+            '(radius_x_m, ...), or amplitude_over_film in its place')
+      end if
+   end subroutine complete_amplitude
+
+   !> Refuse a case with touching that lacks data, or asks for what is not built with it.
+   subroutine check_touching(case, error)
+      type(case_t), intent(inout) :: case
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error) .or. .not. case%touching%is_given()) return
+      call check_needed(case, 'touching', error)
+      if (allocated(error)) return
+      if (.not. case%is_dimensional) then
+         call raise(error, '&touching film_m holds metres: give &conditions by dimensional data (radius_x_m, ...) in '// &
+            'place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
+      else if (case%is_rough() .and. .not. case%moves() .and. min(amplitude(case%roughness_t), amplitude(case%second)) <= 0) &
+         then
+         call refuse('&waviness amplitude_over_film', 'takes waves at rest whose height is known: give amplitude_m')
+      else if (case%radius_ratio_d > 0) then
+         call refuse('the contact has two dimensions', 'is built for line contacts: give load_n_per_m in place of '// &
+            'load_n and radius_y_m')
+      else if (case%heat%is_given()) then
+         call refuse('&heat is given', 'is isothermal, as the heat of sliding solids is not built: remove &heat')
+      else if (case%is_starved() .or. case%oil_profile /= '') then
+         call refuse('&inlet gives less oil than fills the gap', 'takes flooded inlets: remove oil_over_flooded, '// &
+            'oil_layer_m and oil_profile')
+      else if (case%is_rough() .and. case%response /= 'transient') then
+         call refuse("&waviness response = '"//trim(case%response)//"'", 'is not linear, and periodic states with '// &
+            "it are not built: use response = 'transient'")
+      else if (case%method == 'fas' .or. case%method == 'petsc') then
+         call refuse("&solver method = '"//trim(case%method)//"'", "is solved by Newton's method: use 'auto' or 'newton'")
+      else if (case%accuracy > 0) then
+         call refuse('&solver accuracy', 'states its errors by the mesh and chooses none: remove accuracy and give cells')
+      else if (case%sensitivities) then
+         call refuse('&output sensitivities', 'has none: remove the key')
+      else if (case%time_step_over_cell > 1 .or. .not. case%time_step_over_cell > 0) then
+         call refuse('&solver time_step_over_cell', 'follows the oil from node to node: use 1, 0.5, 0.25, ...')
+      else if (case%touching%seeks_speed() .and. case%marches()) then
+         call refuse('&touching share', 'finds a speed in steady states only: remove share, or let the rough surface '// &
+            'rest (slip_parameter = 0)')
+      end if
+      if (allocated(error)) return
+      case%method = 'newton'
+      if (case%scheme == 'auto') case%scheme = 'fitted'   ! a third of the error of the averaged one in the speed of a share
+
+   contains
+
+      subroutine refuse(given, instead)
+         character(len=*), intent(in) :: given, instead
+         call raise(error, given//', and &touching '//instead)
+      end subroutine refuse
+
+   end subroutine check_touching
+
+   !> The amplitude of waves that are given by it, else 0; of no waves infinite.
+   pure real(dp) function amplitude(roughness)
+      type(roughness_t), intent(in) :: roughness
+      amplitude = huge(amplitude)
+      if (roughness%is_wavy()) amplitude = roughness%amplitude_m
+   end function amplitude
+
+end module ehlwave_case_touching
