@@ -4,8 +4,8 @@ module ehlwave_case_touching
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_formula, only: expected_film
-   use ehlwave_key_applicability, only: check_needed
    use ehlwave_kinds, only: dp
+   use ehlwave_touching_data, only: soft
    implicit none (type, external)
    private
    public :: check_touching, complete_amplitude
@@ -34,9 +34,9 @@ contains
       type(error_t), allocatable, intent(inout) :: error
 
       if (allocated(error) .or. .not. case%touching%is_given()) return
-      call check_needed(case, 'touching', error)
-      if (allocated(error)) return
-      if (.not. case%is_dimensional) then
+      if (case%touching%law == soft .and. .not. min(case%touching%softness_m, case%touching%stress_pa) > 0) then
+         call raise(error, "&touching law = 'soft' needs softness_m and stress_pa: write both, or law = 'hard'")
+      else if (.not. case%is_dimensional) then
          call raise(error, '&touching film_m holds metres: give &conditions by dimensional data (radius_x_m, ...) in '// &
             'place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
       else if (case%is_rough() .and. .not. case%moves() .and. min(amplitude(case%roughness_t), amplitude(case%second)) <= 0) &

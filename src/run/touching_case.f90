@@ -61,6 +61,8 @@ contains
          if (allocated(error)) cycle
          result%message = ''
          result%status = status_converged
+         result%residual = 0
+         result%load_error = 0
          call find_steady(case, level_plan, monitor, n == 1, has_coarser, solver, steady, result)
          has_coarser = result%status == status_converged
          state = steady
