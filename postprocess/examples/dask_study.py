@@ -35,7 +35,7 @@ def solve(wavelength_over_a: float) -> tuple[float, float, float]:
 
 
 def slurm_cluster(**scheduler: str) -> Any:  # noqa: ANN401 - of a package that may be absent
-    """Return a cluster of Slurm jobs. Edit what your cluster wants."""
+    """Return a cluster of Slurm jobs. Edit the options of your cluster."""
     from dask_jobqueue import SLURMCluster
 
     return SLURMCluster(

@@ -2,8 +2,8 @@
 
     python deformed_trace.py [FOLDER]
 
-The contact is that of the experiment of Venner, Kaneta and Lubrecht (2000), the trace a synthetic
-one like their Figure 4. Prints the report; writes figures and data into FOLDER, if given.
+The contact comes from the experiment of Venner, Kaneta and Lubrecht (2000); the trace is synthetic,
+like their Figure 4. Prints the report; writes figures and data into FOLDER, if given.
 """
 
 import sys
@@ -20,7 +20,7 @@ from ehlwave.surface import (
     write_results,
 )
 
-# Dimensional data, SI units; the keys are those of the input files of ehlwave-case.
+# Dimensional data, SI units; keys as in input files of ehlwave-case.
 contact = Contact(
     radius_x_m=12.52e-3,
     radius_y_m=12.52e-3,

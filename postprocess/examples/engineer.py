@@ -2,7 +2,7 @@
 
     python engineer.py [TRACE]
 
-Without a trace, one with the preamble of a roughness tester is made up. Nothing but this package.
+Without a trace, it makes one with the preamble of a roughness tester. It needs this package alone.
 """
 
 import sys

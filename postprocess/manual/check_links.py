@@ -2,7 +2,7 @@
 
     python postprocess/manual/check_links.py SITE
 
-Prints what is not there; exit status 1 then, 2 when the site has no pages.
+Prints the missing targets; exit status 1 then, 2 when the site has no pages.
 """
 
 import sys
@@ -22,7 +22,7 @@ class Page(HTMLParser):
         self.feed(text)
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        """Take what an element says."""
+        """Take the attributes of an element."""
         for name, value in attrs:
             if name == "id" or (name == "name" and tag == "a"):
                 self.places.add(value or "")

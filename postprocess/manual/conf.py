@@ -47,12 +47,12 @@ exclude_patterns = [
 
 myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath"]
 myst_heading_anchors = 4
-nb_execution_mode = "force"  # of pages that are read; scripts/manual says when all are
+nb_execution_mode = "force"  # runs all pages that are read; scripts/manual limits them
 nb_execution_raise_on_error = True
 nb_execution_timeout = 600
 nb_execution_in_temp = True
 nb_merge_streams = True
-# A tutorial that warns is one to be mended.
+# A tutorial with a warning needs a fix.
 nb_output_stderr = "warn"
 os.environ.setdefault("PYDEVD_DISABLE_FILE_VALIDATION", "1")
 # Tutorials start programs by their names, in the folder of the repository.

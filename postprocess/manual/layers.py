@@ -1,9 +1,9 @@
-"""Draw the layers of the program from CMake's graph of what links what.
+"""Draw the layers of the program from CMake's graph of links.
 
     python postprocess/manual/layers.py GRAPH.dot PICTURE.svg
 
-GRAPH.dot is of `cmake --graphviz`. Exit status 1 when the picture that is there differs: it has
-then been drawn anew and wants to be committed.
+GRAPH.dot comes from `cmake --graphviz`. Exit status 1 when the existing picture differs: it is then
+drawn anew and must be committed.
 """
 
 import re
@@ -26,7 +26,7 @@ Graph = dict[str, list[str]]
 
 
 def main(graph: Path, picture: Path) -> int:
-    """Write the picture; return 1 if it is not what was there."""
+    """Write the picture; return 1 if it differs from the existing file."""
     uses, libraries = read_graph(graph.read_text(encoding="utf-8"))
     drawn = svg(uses, libraries)
     before = picture.read_text(encoding="utf-8") if picture.exists() else ""
@@ -64,7 +64,7 @@ def read_graph(text: str) -> tuple[Graph, dict[str, str]]:
 
 
 def svg(uses: Graph, libraries: dict[str, str]) -> str:
-    """Return the picture: what a box uses stands below it."""
+    """Return the picture: a box is above the boxes that it uses."""
     rows, chains = arranged(uses, ranks(uses))
     widest = max(map(len, rows))
     place = {}
@@ -109,7 +109,7 @@ def svg(uses: Graph, libraries: dict[str, str]) -> str:
 
 
 def ranks(uses: Graph) -> dict[str, int]:
-    """Return the row of each box, from 0 below: above what it uses, close below what uses it."""
+    """Return the row of each box, from 0 below: above the boxes it uses, close below its users."""
     low: dict[str, int] = {}
 
     def lowest(name: str) -> int:

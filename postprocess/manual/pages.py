@@ -2,7 +2,7 @@
 
     python postprocess/manual/pages.py FOLDER
 
-Needs the built programs. Each page is made from what the program or the source says itself.
+Needs the built programs. Each page is generated from the program or the source.
 """
 
 import inspect
@@ -44,7 +44,7 @@ def main(folder: Path) -> None:
     for name, text in pages.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        # Sphinx reads again what is newer.
+        # Sphinx reads newer files again.
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.write_text(text, encoding="utf-8")
     for path in folder.rglob("*.md"):
@@ -110,7 +110,7 @@ def modules() -> str:
 
 
 def atlas() -> str:
-    """Return the table of what the atlases cover, for a page to include."""
+    """Return the table of the ranges of the atlases, for a page to include."""
     names = {
         "rolling": "rolling",
         "rolling_wide": "rolling, wide",
@@ -169,7 +169,7 @@ def python() -> dict[str, str]:
 
 
 def _members(item: type) -> list[str]:
-    """Return the methods and properties of a class that are for users, inherited ones first."""
+    """Return the methods and properties of a class that are for users, inherited members first."""
     kinds = (property, classmethod, staticmethod)
     bases = [base for base in reversed(item.__mro__) if base.__module__.startswith("ehlwave.")]
     return [

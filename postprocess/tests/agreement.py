@@ -1,4 +1,4 @@
-"""Differences between the doors of the package for one contact, as texts; none where they agree.
+"""Differences between entry points of the package for a contact, as texts; none if they agree.
 
 ``python agreement.py COUNT SEED`` prints the differences of as many random contacts.
 """
@@ -185,7 +185,7 @@ def _page(one: Drawn) -> dict[str, tuple[Any, ...]]:
 
 
 def door_differences(one: Drawn) -> list[str]:
-    """Return the doors whose film, error or warnings are not those of ``film()``."""
+    """Return the entry points whose film, error or warnings differ from ``film()``."""
     with tempfile.TemporaryDirectory() as folder:
         found = door_answers(one, Path(folder))
     film, error, said = found["film"]

@@ -1,4 +1,4 @@
-"""Four surfaces as users have them, what the page is told of them, and the same as a command."""
+"""Four surfaces of typical users, their answers to the page, and the equivalent commands."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ ROOT = Path(__file__).parents[2]
 
 @dataclass(frozen=True)
 class Example:
-    """One of them."""
+    """A surface."""
 
     path: Path
     """Its file."""

@@ -132,7 +132,7 @@ class Tab:
     """A tab of a browser."""
 
     def __init__(self) -> None:
-        """Know nothing yet."""
+        """Start without state."""
         self.requests: list[str] = []
         self.messages: list[str] = []
         self._waiting: dict[int, asyncio.Future[Any]] = {}
@@ -164,7 +164,7 @@ class Tab:
                 self.messages.append(json.dumps(said["params"])[:2000])
 
     async def send(self, method: str, **parameters: object) -> dict[str, Any]:
-        """Return what the browser answers to a command."""
+        """Return the answer of the browser to a command."""
         self._number += 1
         self._waiting[self._number] = asyncio.get_running_loop().create_future()
         answer = self._waiting[self._number]
@@ -232,7 +232,7 @@ class Tab:
         await self._key("Tab", 9)
 
     async def choose(self, label: str, text: str) -> None:
-        """Choose an option, by what it shows, of the choice with this label."""
+        """Choose an option, by its text, of the choice with this label."""
         await self.script(
             f"(s => {{ s.value = [...s.options].find(o => o.text == {json.dumps(text)}).value;"
             "s.dispatchEvent(new Event('change', {bubbles: true})); })"
@@ -240,7 +240,7 @@ class Tab:
         )
 
     async def click(self, text: str) -> None:
-        """Click on a text, which is that of a button or a title."""
+        """Click on a textof a button or a title."""
         test = (
             "n => !n.children.length && n.getClientRects().length > 0 && "
             f"n.textContent.trim() == {json.dumps(text)}"
@@ -266,7 +266,7 @@ class Tab:
         path.write_bytes(base64.b64decode(found["data"]))
 
     def _field(self, label: str, number: int) -> str:
-        # Labels and their fields stand in one shadow root; hidden ones have no size.
+        # Labels and their fields share a shadow root; hidden elements have no size.
         return (
             "(function() { const found = []; (function go(root) {"
             "for (const n of root.querySelectorAll('*')) {"

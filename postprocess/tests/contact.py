@@ -1,4 +1,4 @@
-"""Contacts of the tests: that of the paper's experiment (its Table 1), and a ball on a disc."""
+"""Contacts of the tests: the paper's experiment (its Table 1), and a ball on a disc."""
 
 from ehlwave.surface import Conditions, conditions_from_keys
 

@@ -50,7 +50,7 @@ def _is_foreign(path: Path) -> bool:
 
 
 class DrawnFolder:
-    """A folder, what is in it, and what commands have written."""
+    """A folder, its content, and the files written by commands."""
 
     def __init__(self, folder: Path, sources: Path, random: Random) -> None:
         """Fill the folder with copies of `sources` by their names or others, and with traps."""
@@ -75,7 +75,7 @@ class DrawnFolder:
             self._set_trap()
 
     def _set_trap(self) -> None:
-        """Put a file, a link or a folder where an output may want to be."""
+        """Put a file, a link or a folder at the place of an output."""
         place = self.folder / self.random.choice(("here", "here/sub", "here"))
         place /= self.random.choice((*OUTPUT_NAMES, LIST_NAME))
         if os.path.lexists(place):
@@ -101,7 +101,7 @@ class DrawnFolder:
             os.mkfifo(place)
 
     def snapshot(self) -> Snapshot:
-        """Return what everything is, links and folders too, by its path."""
+        """Return the state of everything, links and folders too, by its path."""
         found = {}
         for path in sorted(self.folder.rglob("*")):
             mode = path.lstat().st_mode
@@ -114,7 +114,7 @@ class DrawnFolder:
         return found
 
     def has_lists_of_others(self) -> bool:
-        """Return whether something that is no list of results has the name of one."""
+        """Return whether a foreign file has the name of a list of results."""
         return any(_is_foreign(path) for path in self.folder.rglob("*") if path.name == LIST_NAME)
 
     def command(self) -> list[str]:
@@ -153,7 +153,7 @@ class DrawnFolder:
         return ["--refit", self._name("refit.csv")]
 
     def _name(self, source: str) -> str:
-        """Return a way to an input: its name, a longer one, a link."""
+        """Return a way to an input: its name, a longer name, a link."""
         place = self.inputs[source]
         kind = self.random.randrange(4)
         if kind == 0:

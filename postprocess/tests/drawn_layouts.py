@@ -44,7 +44,7 @@ FOOTERS = (
 
 @dataclass
 class Layout:
-    """A file, what it holds, and what a user who knows it would say."""
+    """A file, its content, and the knowledge of its user."""
 
     path: Path
     height_m: np.ndarray
@@ -121,7 +121,7 @@ def _trace(folder: Path, random: Random, seed: int) -> Layout:
         said |= {"step": step_um, "length_unit": "um"}
     if has_headings:
         row = [_heading(random, headings[k], None if has_row else units.get(k)) for k in names]
-        # One name cannot hold the separator of the columns.
+        # No name can hold the separator of the columns.
         head = [row, [units.get(k, "") for k in names]] if has_row else [row]
     else:
         head = []

@@ -1,4 +1,4 @@
-"""Exports of text by instruments of many makers, written after their layouts, with one profile."""
+"""Text exports by instruments of many makers, written after their layouts, with one profile."""
 
 import numpy as np
 

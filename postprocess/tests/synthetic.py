@@ -65,7 +65,7 @@ def make_columns(
 
 
 def concatenated(*parts: Columns) -> Columns:
-    """Return the cases of several sets of columns one after another."""
+    """Return the cases of several sets of columns in turn."""
     return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
 
 
@@ -79,7 +79,7 @@ def write_results(
 ) -> Path:
     """Write a results file; text as fixed-length bytes padded with ``pad`` ("null" or "space").
 
-    ``attributes`` replace root attributes; None leaves one out.
+    ``attributes`` replace root attributes; None removes an attribute.
     """
     root = {
         "format": "ehlwave-results",
@@ -104,7 +104,7 @@ def write_results(
 
 
 def written_names(folder: Path) -> set[str]:
-    """Return the names in a folder but that of the list of results."""
+    """Return the names in a folder except the list of results."""
     return {path.name for path in folder.iterdir()} - {LIST_NAME}
 
 

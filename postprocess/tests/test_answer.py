@@ -1,4 +1,4 @@
-"""The answer comes first: lambda ratio, film, error, and what it means."""
+"""The answer comes first: lambda ratio, film, error, and its meaning."""
 
 import json
 import math
@@ -104,7 +104,7 @@ def test_the_answer_of_two_surfaces_is_that_of_both(tmp_path: Path, capsys: Capt
     assert said.startswith(f"Answer       both surfaces: {both['text']}\n")
     for number, part in enumerate(parts, 1):
         assert f"Answer       surface {number} alone: {part['text']}\n" in said
-    # What is not judged is counted under its heading; components are named by deform alone.
+    # Parts not judged are counted under their heading; only deform names components.
     assert "Not judged" in said
     assert "lambda_x = " not in said
 

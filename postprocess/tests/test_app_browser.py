@@ -28,7 +28,7 @@ if chromium.PROGRAM is None:
 
 Use = Callable[[Chromium, list[str]], Awaitable[None]]
 Browse = Callable[[Use], list[str]]
-"""Use a browser, a list of what its proxy is asked for as it is asked; return that list."""
+"""Use a browser and its proxy; return the list of requests, filled as they come."""
 
 SESSIONS = 20 if os.environ.get("EHLWAVE_LONG_TESTS") else 4
 
@@ -41,7 +41,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 @pytest.fixture(scope="module")
 def in_browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browse]:
-    """Use a browser whose way to other hosts is a proxy that refuses; return what it was asked."""
+    """Use a browser whose way to other hosts is a proxy that refuses; return the requests."""
     loop = asyncio.new_event_loop()
     asked: list[str] = []
 
@@ -71,7 +71,7 @@ def in_browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browse]:
 
 
 def foreign(tab: Tab, address: str) -> list[str]:
-    """Return what a tab asked for that is neither the server's nor stands in the page."""
+    """Return the requests of a tab to other hosts, and for data outside the page."""
     socket = address.replace("http", "ws", 1)
     starts = (f"{address}/", f"{socket}/", "data:", f"blob:{address}/", "about:")
     assert len(tab.requests) > 5
@@ -79,7 +79,7 @@ def foreign(tab: Tab, address: str) -> list[str]:
 
 
 async def entered(tab: Tab, example: Example) -> None:
-    """Tell the page what an example is."""
+    """Enter an example into the page."""
     await tab.click(example.kind)
     await until(lambda: tab.shows(next(iter(example.typed))), "its fields")
     await tab.click("More about the surface")
@@ -107,7 +107,7 @@ async def computed(tab: Tab) -> None:
 
 
 def in_any_order(report: dict[str, Any]) -> dict[str, Any]:
-    """Return a report whose conditions do not tell in which order keys were given."""
+    """Return a report whose conditions are independent of the order of keys."""
     conditions = dict(report["conditions"])
     conditions["given"] = sorted(conditions.get("given", []))
     return report | {"conditions": conditions}
@@ -249,7 +249,7 @@ def test_sessions_at_once_answer_each_its_own(
     async def use(browser: Chromium, _: list[str]) -> None:
         tabs = [await browser.tab() for _ in loads]
         for tab in tabs:
-            # One after the other: a browser asks for one address once at a time.
+            # In turn: a browser requests an address only once at a time.
             await tab.send("Page.navigate", url=address)
         for tab in tabs:
             await until(lambda tab=tab: tab.shows_text("Compute"), "the page")

@@ -1,4 +1,4 @@
-"""The server of the page: what it gives to whom asks without a browser."""
+"""The server of the page: its answers to requests without a browser."""
 
 import contextlib
 import http.client
@@ -24,7 +24,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 
 def asked(address: str, path: str, method: str = "GET", **headers: str) -> tuple[int, bytes]:
-    """Return status and body; the path is sent as it stands, which browsers would not do."""
+    """Return status and body; the path is sent unchanged, unlike in browsers."""
     connection = http.client.HTTPConnection(urlsplit(address).netloc, timeout=60)
     try:
         connection.putrequest(method, path, skip_host=True)

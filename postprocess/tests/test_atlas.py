@@ -17,7 +17,7 @@ from ehlwave.laws.atlas.kinds import KINDS, Kind
 from ehlwave.laws.atlas.ranges import THICKEST_FILM, THINNEST_FILM
 from ehlwave.laws.atlas.shape import Shape
 from ehlwave.laws.atlas.stored import AS_STORED, checksum, committee_of
-from ehlwave.laws.atlas_transfer import AtlasTransfer, with_atlas_film
+from ehlwave.laws.atlas_transfer import AtlasTransfer
 from ehlwave.surface import trace_surface
 from studies.atlas.fit import OF_ERRORS
 from studies.atlas.losses import Errors, Films, Waves, part
@@ -49,7 +49,7 @@ def test_a_committee_learns_a_function_and_is_written_as_it_was_learned(tmp_path
 
 
 def learned() -> dict[str, Waves | Films | Errors]:
-    """Return one of each of what networks learn, of 30 points."""
+    """Return a set of each kind of training data, of 30 points."""
     random = np.random.default_rng(4)
     shape = Shape(*(random.uniform(*limits, 30) for limits in ((30, 900), (3, 15), (0.1, 1))))
     seen = shape.seen(random.uniform(0.2, 3, 30), random.uniform(0, 90, 30))
@@ -207,7 +207,7 @@ def test_waves_raise_the_mean_film_as_computed() -> None:
 
 
 def test_under_slip_the_law_of_the_two_waves_answers() -> None:
-    # 512 x 384 cells, extrapolated; the stress lies above those of the atlas
+    # 512 x 384 cells, extrapolated; the stress lies above the range of the atlas
     contact = ehlwave.Contact(**MOES, reduced_modulus_pa=226e9, eyring_stress_pa=500e6)
     for wave, computed in ((0.5, 0.855), (1.0, 0.685)):
         found = contact.response(wavelength_over_a=wave, slip_parameter=1.1)
@@ -258,11 +258,9 @@ def test_waves_outside_are_continued_and_counted_in_the_error() -> None:
 
 def test_the_film_of_the_atlas_takes_the_place_of_the_formula_but_not_of_a_given_one() -> None:
     conditions = ehlwave.Contact(**MOES, **LENGTHS).conditions
-    atlas = with_atlas_film(conditions)
-    assert atlas.film_source.startswith("atlas")
-    assert atlas.central_film_m == conditions.central_film_m
+    assert conditions.film_source.startswith("atlas")
     contact = ehlwave.Contact(**MOES, **LENGTHS, central_film_m=1e-7)
-    given, film = with_atlas_film(contact.conditions), contact.film()
+    given, film = contact.conditions, contact.film()
     assert given.central_film_m == film.central_m == 1e-7
     assert film.central_moes == pytest.approx(1e-7 / given.metres_per_moes)
     assert film.central_error == given.central_film_error == 0

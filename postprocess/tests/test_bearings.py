@@ -17,7 +17,7 @@ def test_contacts_of_balls_and_rollers_are_answered() -> None:
     assert len(found) + len(refused) == bearings.CONTACTS
     assert len(found) >= 0.98 * bearings.CONTACTS
     found, refused = ROLLERS.answered(None)
-    assert len(found) == 297  # as the manual says
+    assert len(found) == 297  # as in the manual
     assert all("L = " in why for why in refused)
 
 

@@ -43,7 +43,7 @@ def test_an_ellipse_is_that_of_reduced_data(speeds: tuple[float, float]) -> None
         **OIL,
     )
     np.testing.assert_allclose(moes(contact), moes(reduced), rtol=1e-12)
-    # and that of the definitions themselves
+    # the definitions themselves
     speed_2u = 0.05 * 2 * mean / (modulus * 8e-3)
     m, l = 30 / (modulus * 64e-6) * speed_2u**-0.75, 2e-8 * modulus * speed_2u**0.25  # noqa: E741
     np.testing.assert_allclose(moes(contact)[:3], [m, l, 8e-3 / 60e-3], rtol=1e-12)
@@ -63,7 +63,7 @@ def test_a_line_is_that_of_a_load_per_length() -> None:
 
 
 def test_the_hertz_contact_of_a_ball_bearing() -> None:
-    """Its semi-axes are those of the elliptic integrals, both races closer than a flat."""
+    """Its semi-axes match the elliptic integrals, both races closer than a flat."""
     d, pitch = 7.94e-3, 33.5e-3
     ball = ehlwave.Body.ball(d, material="steel")
     for race, sign in ((ehlwave.Body.inner_race, 1), (ehlwave.Body.outer_race, -1)):

@@ -29,7 +29,7 @@ def test_the_manual_names_them_all() -> None:
 
 
 def test_the_python_of_the_page_runs() -> None:
-    """Its indented blocks from the first on, those of input files and formulas left out."""
+    """Its indented blocks from the first on, without input files and formulas."""
     pint = pytest.importorskip("pint")
     page = (FOLDER.parents[1] / "manual" / "howto.md").read_text(encoding="utf-8")
     page = page.split("## Enter a slide-to-roll ratio")[0]
@@ -43,7 +43,7 @@ def test_the_python_of_the_page_runs() -> None:
 @pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: path.stem)
 def test_ten_lines_say_a_lambda_ratio_and_its_error(path: Path) -> None:
     lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
-    assert len(lines[1:]) <= 10  # the first says what it is
+    assert len(lines[1:]) <= 10  # the first describes it
     command = [sys.executable, "-W", "error", path.name]
     done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=FOLDER)
     assert (done.returncode, done.stderr) == (0, "")

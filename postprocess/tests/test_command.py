@@ -27,7 +27,7 @@ def short(word: object) -> str:
 
 @pytest.fixture
 def started(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Started]:
-    """Give what runs a study whose steps end with the statuses of ``fails``, and say ``says``."""
+    """Return a runner of a study; its steps end with the statuses ``fails`` and print ``says``."""
 
     def start(
         *words: str, fails: dict[str, int] | None = None, says: str = ""
@@ -59,7 +59,7 @@ def started(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Started
 
 
 def options_with_values() -> Iterator[tuple[str, str, bool, bool]]:
-    """Yield study, option, whether it wants a number, and whether one above 0."""
+    """Yield study, option, whether it takes a number, and whether it must exceed 0."""
     for name, study in STUDIES.items():
         for option, keywords in study.options:
             if "type" in keywords and option.startswith("--"):

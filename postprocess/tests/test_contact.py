@@ -11,7 +11,7 @@ from ehlwave.results.case_file import contact_figure, read_contact
 
 
 def _write(path: Path, y: np.ndarray, **attributes: str) -> Path:
-    """Write a film of 1 + X + 10 |Y|, which tells its points apart, over a central film of 0.5."""
+    """Write a film of 1 + X + 10 |Y|, distinct at each point, over a central film of 0.5."""
     x = np.linspace(-2.5, 1.5, 9)
     film = 1 + x[None, :] + 10 * np.abs(y)[:, None]
     fields = {"film": (("y", "x"), film), "pressure": (("y", "x"), 0 * film + 1)}

@@ -1,4 +1,4 @@
-"""Oils of data sheets: examples of the standards, measured oils, what errors make of films."""
+"""Oils of data sheets: examples of the standards, measured oils, effects of errors on films."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""No default of a function takes the place of what an object or a file says."""
+"""No default of a function replaces a value of an object or a file."""
 
 import inspect
 from collections.abc import Callable, Iterator

@@ -17,7 +17,7 @@ MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 
 
 
 def test_experiment_agrees_with_the_paper() -> None:
-    # Tables 1 and 2 of the paper; its M is 2.7 % off what its own formula gives.
+    # Tables 1 and 2 of the paper; its M is 2.7 % off its own formula.
     c = experiment()
     assert pytest.approx(0.185e-3, rel=5e-3) == c.semi_axis_a_m
     assert c.m == pytest.approx(130.77, rel=0.03)

@@ -287,7 +287,7 @@ def test_bad_arrays_get_clear_messages(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("compressed", [False, True])
 def test_damaged_archives_are_refused(tmp_path: Path, compressed: bool) -> None:
-    """Whatever byte is damaged or lost: an array, or a message in one line."""
+    """Whatever byte is damaged or lost: an array, or a message of one line."""
     file = tmp_path / "m.npz"
     (np.savez_compressed if compressed else np.savez)(file, height=MAP[:10, :10])
     good = file.read_bytes()

@@ -79,7 +79,7 @@ def test_what_cannot_move_through_a_contact_is_refused() -> None:
 
 
 def test_a_transfer_predicts_the_film_of_that_wave() -> None:
-    """Phases of tables and predictions mean one thing: x on the surface, along its motion."""
+    """Phases of tables and predictions agree: x on the surface, along its motion."""
     contact = experiment()
     transfer, wave, a = 0.6 * np.exp(0.4j), 0.8, contact.semi_axis_a_m
 

@@ -74,7 +74,7 @@ def test_profile_at_the_centre_is_the_deformed_surface(surface: Surface, slip: f
 
 
 def test_both_waves_move_on() -> None:
-    """The film at X = x after some rolling: phases of surface and oil, here of one harmonic."""
+    """The film at X = x after some rolling: phases of surface and oil, here a single harmonic."""
     slip, waves, count = 1.3, 8, 256
     contact = conditions(slip)
     a_m = contact.semi_axis_a_m
@@ -119,7 +119,7 @@ def test_two_surfaces_add_up() -> None:
         for slip, result in zip((1.3, 0.7), results, strict=True)
     ]
     assert passing.film_m[at] == pytest.approx(first.central_film_m - sum(heights), abs=1e-15)
-    # The faster one passes first.
+    # The faster surface passes first.
     assert passing.rolled_m[-1] == pytest.approx(length / 1.3, rel=0.01)
 
 

@@ -224,7 +224,7 @@ def test_conditions_are_interpolated_on_v(tmp_path: Path, names: list[str]) -> N
     )
     transfer = TableTransfer(between, rows)
     q = 1 / (np.geomspace(0.2, 1.2, 9) * between.semi_axis_a_m)
-    # what depends on f(r) V alone comes out exactly, at every condition
+    # Transfers that depend on f(r) V alone are exact, at every condition
     exact = FormulaTransfer(between).ratio(q, 0 * q)
     np.testing.assert_allclose(transfer.ratio(q, 0 * q), exact, rtol=0, atol=2e-4)
     with pytest.raises(SurfaceError, match="does not lie among its"):

@@ -1,4 +1,4 @@
-"""The public names are documented: every example prints what it says, no parameter is missing."""
+"""Public names are documented: examples print their stated output, no parameter is missing."""
 
 import doctest
 import inspect

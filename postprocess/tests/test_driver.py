@@ -119,7 +119,7 @@ def test_a_case_is_planned_run_and_drawn() -> None:
 
 
 def test_the_undeformed_film_has_the_waves_of_both_surfaces() -> None:
-    """The sum of those of either alone, the second with 2 - S."""
+    """The sum of both pressures alone, the second with 2 - S."""
     time = np.linspace(0, 6, 50)
     keys = {"central_film": 0.3, "slip_parameter": 1.2, "domain_x_min": -2.5}
     waves = {"wavelength_x_over_a": 0.5, "wavelength_x_over_a_2": 0.7}

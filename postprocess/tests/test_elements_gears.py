@@ -27,7 +27,7 @@ def test_flank_speeds_follow_from_rigid_rotation_in_the_plane() -> None:
     gears = SpurGearPair(**FZG)
     shape = gears.geometry
     alpha, a = shape.working_angle_rad, shape.working_distance_m
-    along = np.array([math.sin(alpha), math.cos(alpha)])  # of the line of action
+    along = np.array([math.sin(alpha), math.cos(alpha)])  # direction of the line of action
     across = np.array([-along[1], along[0]])
     foot = shape.base_radii_m[0] * np.array([math.cos(alpha), -math.sin(alpha)])
     turn = 2250 * 2 * math.pi / 60
@@ -122,7 +122,7 @@ def test_power_is_the_integral_of_the_moment_over_a_mesh() -> None:
     turn = 1500 * 2 * math.pi / 60
     angle = np.radians(found["pinion_angle_deg"].values)
     power = found["sliding_power_w"].values
-    # One mesh lasts 2 pi/z of the pinion.
+    # A mesh lasts 2 pi/z of the pinion.
     mean = trapezoid(power, angle) / (2 * math.pi / 20)
     assert found.attrs["sliding_power_w"] == pytest.approx(mean, rel=0.05)
     assert turn * 150 * (1 - found.attrs["efficiency"]) == pytest.approx(
@@ -137,7 +137,7 @@ def test_helical_radii_by_the_section_normal_to_the_flank() -> None:
     beta_b = math.asin(math.sin(math.radians(20)) * math.cos(math.radians(20)))
     assert shape.base_helix_rad == pytest.approx(beta_b, rel=EXACT)
     s = shape.pitch_point_m
-    # Euler: the transverse section cuts at beta_b from the normal one, Meusnier: 1/cos(beta_b).
+    # Euler: the transverse section cuts at beta_b from the normal section, Meusnier: 1/cos(beta_b).
     transverse = 1 / s
     normal = transverse * math.cos(beta_b) ** 2 / math.cos(beta_b)
     assert float(shape.radii_m(s)[0]) == pytest.approx(1 / normal, rel=EXACT)

@@ -120,7 +120,7 @@ def test_eccentric_cam_on_a_flat_follower_by_the_motion_of_a_circle() -> None:
     cam, angles = eccentric(), np.linspace(0, 360, 25)
     assert cam.curvature_radius_m(angles) == pytest.approx(np.full(25, 0.017), rel=1e-6)
     first, second = cam.surface_speeds_m_per_s(angles, 100 * 30 / math.pi)
-    centre = 100 * 0.004 * np.cos(np.radians(angles))  # of the circle, along the follower
+    centre = 100 * 0.004 * np.cos(np.radians(angles))  # centre of the circle, along the follower
     assert second == pytest.approx(centre, abs=1e-6)
     assert first == pytest.approx(np.full(25, 1.7), rel=1e-6)
     assert (first + second)[0] / 2 == pytest.approx(1.05, rel=1e-6)

@@ -35,7 +35,7 @@ needs_programs = pytest.mark.skipif(not has_programs(), reason="the programs are
 
 
 def said_by(name: str, *arguments: str) -> str:
-    """Return what an example prints; anything on stderr, a warning say, fails."""
+    """Return the output of an example; anything on stderr, such as a warning, fails."""
     command = [sys.executable, "-W", "error", str(EXAMPLES / name), *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")

@@ -50,7 +50,7 @@ SMOOTH_UM = {0.024: 0.24, 0.048: 0.38, 0.096: 0.60}
 def write_runs(
     folder: Path, surface: str, film_um: dict[float, float], amplitude_um: float, **columns: str
 ) -> None:
-    """Write what a sweep leaves: waves of 60 um on levels, both with an error of second order."""
+    """Write the results of a sweep: waves of 60 um on levels, with errors of second order."""
     runs = all_runs(surface)
     base = read_input(INPUTS / "experiment.nml")
     rows = []

@@ -67,7 +67,7 @@ def test_the_core_answers_without_extras() -> None:
     keys = ", ".join(CONTACT)
     done = without(f"print(ehlwave.Contact({keys}).film().central_m)\nimport ehlwave.stress")
     assert done.returncode == 0, done.stderr
-    assert "missing" not in done.stderr  # a warning of the warm inlet stands there
+    assert "missing" not in done.stderr  # a warning of the warm inlet is there
     assert float(done.stdout) == pytest.approx(8.35e-7, rel=1e-2)
 
 

@@ -1,4 +1,4 @@
-"""Keys of input files: used by predictions, refused, said not to be used, or without effect."""
+"""Keys of input files: used by predictions, refused, reported as unused, or without effect."""
 
 import json
 from pathlib import Path
@@ -85,7 +85,7 @@ def test_every_key_of_the_program_is_in_one_class() -> None:
 
 
 def other_value(row: dict[str, Any], given: dict[str, Any]) -> Any:  # noqa: ANN401
-    """Return a value of a key that is neither the default nor the given one."""
+    """Return a value of a key other than the default and the given value."""
     if row["choices"]:
         return next(c for c in row["choices"] if c not in (row["default"], given.get(row["name"])))
     if row["name"] in given:
@@ -104,13 +104,13 @@ def other_value(row: dict[str, Any], given: dict[str, Any]) -> Any:  # noqa: ANN
 
 
 def test_every_key_that_may_change_an_answer_changes_it_or_is_named(tmp_path: Path) -> None:
-    """Each key of the program in turn; what is left out leaves everything as it is."""
+    """Each key of the program in turn; ignored keys change nothing."""
     base = read_given([file_of(tmp_path, WARM)])
     given = CONDITIONS | LUBRICANT | HEAT
     silent, loud = [], []
     for row in program_keys():
         name, group = row["name"], row["group"]
-        if name in (LIMIT_WIDTH, "viscosity_table"):  # of the limit, of a law
+        if name in (LIMIT_WIDTH, "viscosity_table"):  # keys of the limit, of a law
             continue
         file = file_of(tmp_path, WARM, **{group: {name: other_value(row, given)}})
         try:

@@ -35,7 +35,7 @@ def reference() -> list[dict[str, float]]:
 
 
 def test_the_independent_solver() -> None:
-    """Its films are thicker than those of the range, half and all of the Hertz approach."""
+    """Its films are thicker than in the range, half and all of the Hertz approach."""
     rows = reference()
     cold = {
         (r["mean_speed_m_per_s"], r["slide_to_roll_ratio"]): r for r in rows if not r["thermal"]
@@ -132,7 +132,7 @@ def test_the_exact_local_problem(g: float, rise: float, more: float) -> None:
 
 
 def test_surfaces_grow_warm_as_a_band_does() -> None:
-    """A stiff oil of one stress makes heat as its pressure: a mean near that of half an ellipse."""
+    """A stiff oil of constant stress makes heat like its pressure: a mean near half an ellipse."""
     case = Sliding(1e9, 2e-4, 3e-7, 5.0, 0.2, 0.05, 2e-8, 0.6, 5e6, True)
     heat = ehlwave.Heat(313.15, 1e-6, 0.14, 2000, 870)
     found = shear_warm(case, heat)
@@ -203,7 +203,7 @@ WARM_INLET |= {"eyring_stress_pa": 2.3e6}
 def test_error_of_films_of_hot_contacts(
     given: dict[str, float], beta: float, conductivity: float, central_um: float
 ) -> None:
-    """Of ehlwave-case, 1024 and 192 x 192 cells: an oil that expands, and sliding in the inlet."""
+    """Compare with ehlwave-case, 1024 and 192 x 192 cells: expanding oil, sliding in the inlet."""
     heat = ehlwave.Heat(313, beta, **OIL, body=ehlwave.BodyHeat(conductivity))
     film = ehlwave.Contact(**given, heat=heat).film()
     assert film.central_m * 1e6 == pytest.approx(central_um, rel=film.central_error)

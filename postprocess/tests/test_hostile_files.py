@@ -1,4 +1,4 @@
-"""Damaged and crafted files: every command answers, or says why not in one line."""
+"""Damaged and crafted files: every command answers, or prints a reason of one line."""
 
 import os
 from collections.abc import Callable
@@ -57,7 +57,7 @@ def commands(kind: str, file: Path, folder: Path) -> list[list[str]]:
 
 
 def answers(arguments: list[str], capsys: Capture) -> str:
-    """Run a command; return what it said of an error, one line, "" if it has an answer."""
+    """Run a command; return its error message, one line, "" if it has an answer."""
     status = main(arguments)
     said = capsys.readouterr().err
     assert status in (0, 2), (arguments, said)

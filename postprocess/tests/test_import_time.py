@@ -1,4 +1,4 @@
-"""The package and its help import nothing heavy: what is imported counts, not the time it takes."""
+"""The package and its help import nothing heavy: imports are counted, not their time."""
 
 import json
 import os

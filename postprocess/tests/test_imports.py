@@ -41,12 +41,12 @@ def imported(text: str, known: Iterable[str]) -> set[str]:
 
 
 def graph(texts: Mapping[str, str]) -> Graph:
-    """Return what each module imports."""
+    """Return the imports of each module."""
     return {name: imported(text, texts) - {name} for name, text in texts.items()}
 
 
 def of_packages(of_modules: Graph) -> Graph:
-    """Return what packages import, and modules that are in none; commands stand above packages."""
+    """Return the imports of packages, and modules outside packages; commands are above packages."""
     found: dict[str, set[str]] = {}
     for name, others in of_modules.items():
         own = _package(name)

@@ -1,4 +1,4 @@
-"""Exports of many makers' instruments are read as they stand, without a question."""
+"""Exports of many makers' instruments are read unchanged, without a question."""
 
 from pathlib import Path
 

@@ -33,7 +33,7 @@ def test_the_unit_of_a_file_stands_against_options(tmp_path: Path) -> None:
             SurfaceError, match=rf"{option}=um contradicts the file, whose unit is m"
         ):
             read_surface(path, ReadOptions(**{option: "um"}))
-    # The unit of a step that is said too is the unit of this step alone.
+    # A given unit of a step applies to this step alone.
     assert_read(read_surface(path, ReadOptions(length_unit="um", step=1.0)))
     csv = write(
         tmp_path,

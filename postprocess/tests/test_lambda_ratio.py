@@ -1,4 +1,4 @@
-"""The lambda ratio where films vanish: it falls, says when it is extrapolated, and never lies."""
+"""The lambda ratio where films vanish: it falls, reports extrapolation, and is never wrong."""
 
 import csv
 import dataclasses
@@ -97,7 +97,7 @@ def test_it_falls_with_the_film_of_a_ball() -> None:
 
 
 def random_contact(kind: str, rng: np.random.Generator) -> dict[str, float]:
-    """Return keys of a ball or roller that rolls, of a cam, or of one that slides."""
+    """Return keys of a ball or roller that rolls, of a cam, or of a sliding contact."""
     viscosity = {"viscosity_pa_s": 10 ** rng.uniform(-2, -1)}
     if kind == "line":
         line = {"radius_x_m": 10 ** rng.uniform(-2.3, -1.7), "reduced_modulus_pa": 226e9}

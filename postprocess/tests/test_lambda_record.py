@@ -29,7 +29,7 @@ def test_recorded_marches_keep_to_the_errors() -> None:
         amplitude = float(row["amplitude_over_film"])
         assert amplitude < VALIDATED_ROLLING
         contact = experiment(mean_speed_m_per_s=float(row["speed_m_per_s"]))
-        allowed = expected_nonlinearity(contact, amplitude) + 0.03  # of table and grid
+        allowed = expected_nonlinearity(contact, amplitude) + 0.03  # conditions of table and grid
         assert float(row["rq_table_nm"]) == pytest.approx(
             float(row["rq_simulated_nm"]), rel=allowed
         )

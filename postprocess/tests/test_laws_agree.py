@@ -1,4 +1,4 @@
-"""All doors of the package give one answer: the list of laws decides."""
+"""All entry points of the package give the same answer: the list of laws decides."""
 
 import ast
 from pathlib import Path
@@ -16,13 +16,14 @@ LAWS = {
     "RecommendedTransfer",
     "ShearedRidges",
     "StandingRidges",
+    "FormulaTransfer",
     "StarvedTransfer",
+    "TableTransfer",
     "TwoWaveTransfer",
     "WarmTransfer",
     "chart_of",
     "computed_film",
     "film_of",
-    "with_atlas_film",
 }
 """Constructors and functions that are answers of a law; only the room of the laws calls them."""
 

@@ -24,7 +24,7 @@ def is_right(surface: Surface, layout: Layout) -> bool:
 
 
 def read(layout: Layout, said: dict[str, object]) -> str:
-    """Return "right" or the question; fail if the surface is another one."""
+    """Return "right" or the question; fail if the surface differs."""
     try:
         surface = read_surface(layout.path, ReadOptions(**said))  # type: ignore[arg-type]
     except SurfaceError as error:
@@ -39,7 +39,7 @@ def test_layouts_are_read_right_or_asked(tmp_path: Path) -> None:
         layout = drawn(tmp_path, seed)
         first = read(layout, {})
         assert first == "right" or not layout.is_complete, (layout.path, first)
-        # Who is asked says the truth.
+        # The answers to questions are true.
         if first != "right":
             without = {key: value for key, value in layout.said.items() if key != "decimal"}
             steps = {"step": 1e6 * layout.step_m, "length_unit": "um"}

@@ -1,4 +1,4 @@
-"""Line contacts: their scales, their atlas, and what is refused."""
+"""Line contacts: their scales, their atlas, and refusals."""
 
 from pathlib import Path
 

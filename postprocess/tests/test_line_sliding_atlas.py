@@ -1,4 +1,4 @@
-"""Line contacts that slide: their atlases, pairs, and what is refused."""
+"""Line contacts that slide: their atlases, pairs, and refusals."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What makes the manual: its picture of the layers, its check of links, its first page."""
+"""Parts of the manual: its picture of the layers, its check of links, its first page."""
 
 import re
 import sys

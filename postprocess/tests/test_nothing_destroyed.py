@@ -52,7 +52,7 @@ def sources(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def small_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Draw nothing: how figures are written is tested, not what is in them."""
+    """Draw nothing: the test is about writing figures, not their content."""
 
     def empty(*_: object, **__: object) -> Figure:
         return Figure(figsize=(0.1, 0.1))
@@ -98,7 +98,7 @@ def test_nothing_that_is_no_result_of_ours_ever_changes(
                 may = "--overwrite" in command and path not in inputs
                 assert is_ours or (may and before[path][0] == "file"), (command, path)
             if status == 0 and not drawn.has_lists_of_others():
-                # The same again is no matter: everything is ours now.
+                # A repeated command succeeds: all files are ours now.
                 again = [word for word in command if word != "--overwrite"]
                 assert main(again) == 0, " ".join(again) + capsys.readouterr().err
                 capsys.readouterr()

@@ -1,4 +1,4 @@
-"""Files are written, and HDF5 files of others opened, in one place each of the package."""
+"""Files are written, and HDF5 files of others opened, each in a single place of the package."""
 
 import ast
 import re
@@ -94,7 +94,7 @@ def test_nothing_else_writes_files_or_opens_hdf5(folder: str) -> None:
     modules = sorted((ROOT / folder).rglob("*.py"))
     assert len(modules) > 20
     found = [fault for path in modules for fault in faults(path, path.read_text(encoding="utf-8"))]
-    # a copy of one of the fields of a dataclass, by its only positional argument
+    # a copy of a field of a dataclass, by its only positional argument
     found = [fault for fault in found if not re.search(r": (dataclasses\.)?replace\(", fault)]
     assert not found, "\n".join(found)
 

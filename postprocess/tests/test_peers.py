@@ -1,4 +1,4 @@
-"""One contact by several solvers: which are skipped, how others are run, and the table."""
+"""A contact by several solvers: skipped solvers, runs of others, and the table."""
 
 import argparse
 import sys
@@ -40,7 +40,7 @@ def test_book_brings_its_own_contact(tmp_path: Path) -> None:
 def test_this_program_says_why_it_failed(
     does: str, why: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Also where it was killed before it said anything."""
+    """Also where it was killed before any output."""
     script = tmp_path / "program"
     script.write_text(f"#!/bin/sh\n{does}\n")
     script.chmod(0o755)
@@ -102,7 +102,7 @@ def test_times_are_at_equal_error_and_equal_domain() -> None:
 
 @pytest.mark.skipif(not program("case").is_file(), reason="the programs are not built")
 def test_this_program() -> None:
-    """Both domains and schemes tend to one film, which is that of the half and whole domain."""
+    """Both schemes tend to the same film, on the half and the whole domain."""
     names = {name: run for _, name, run in solvers(_options())}
     half, whole = (names[name](64) for name in ("ehlwave", "ehlwave, whole domain"))
     assert half[0] == pytest.approx(whole[0], rel=1e-4)

@@ -72,7 +72,7 @@ def refit_row() -> ehlwave.RefitRow:
 
 
 def unused(kind: type) -> Case | Study:
-    """Return a case or study without a program, which knows its keys."""
+    """Return a case or study without a program, with its keys."""
     made = kind.__new__(kind)
     made.groups = {"conditions": {"load_parameter_m": 10}}
     if kind is Study:

@@ -72,7 +72,7 @@ def test_fluidity_integral_of_barus_oils(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr("ehlwave.laws.replenishment.DENSITY_LIMIT", 1.0)  # incompressible
     for alphabar in (0.01, 1.0, 10.0, 30.0, 300.0):
         hertz = 1e9
-        # Roelands' law is that of Barus for z = 1.
+        # Roelands' law equals Barus' law for z = 1.
         found = fluidity_integral(Oil(alphabar / hertz, 1.0), hertz)
         if alphabar < 20:  # beyond, the difference is of large numbers
             closed = np.pi * (iv(0, alphabar) - modstruve(0, alphabar))

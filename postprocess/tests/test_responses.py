@@ -1,4 +1,4 @@
-"""Responses of a contact to many waves: each is that of one wave, with error, units and range."""
+"""Responses of a contact to many waves: each equals a single response, with error and range."""
 
 import numpy as np
 import pytest

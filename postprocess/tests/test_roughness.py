@@ -49,7 +49,7 @@ def test_parameters_of_a_cosine_and_of_a_pit() -> None:
     flat[500] = -5e-6
     pit = roughness_parameters(flat, is_trace=True)
     assert pit["Rt"] == pytest.approx(5e-6)
-    assert pit["Rz"] == pytest.approx(1e-6)  # in one of five sections
+    assert pit["Rz"] == pytest.approx(1e-6)  # in one of the five sections
     assert roughness_parameters(flat, True, section=1000)["Rz"] == pytest.approx(5e-6)
     assert pit["Rsk"] < -10
     areal = roughness_parameters(flat.reshape(20, 50), is_trace=False)

@@ -60,7 +60,7 @@ def test_film_and_friction_are_those_of_the_program() -> None:
 def test_friction_is_less_well_known_at_slight_slip_and_of_light_contacts(
     moes: tuple[float, float, float], eyring_stress_pa: float, slip: float, friction: float
 ) -> None:
-    """Of the program, points on twice the length and width; viscosity counts at slight slip."""
+    """Friction of the program on twice the length and width; viscosity counts at slight slip."""
     oil = {"reduced_modulus_pa": 2.2e11, "eyring_stress_pa": eyring_stress_pa}
     keys = dict(zip(MOES, moes, strict=True)) | oil
     found = ehlwave.Contact(**keys, slip_parameter=slip).film()
@@ -104,7 +104,7 @@ def test_outside_its_stresses_the_law_of_the_two_waves_answers() -> None:
 
 
 def shape_of_ends() -> SlidingShape:
-    """Return that of the two contacts at the ends of all ranges."""
+    """Return the two contacts at the ends of all ranges."""
     keys = {name: np.array([low, high]) for name, (low, high) in SLIDING.ranges.items()}
     state = {"central_film": np.array([0.9, 0.02]), "pressure_ratio": np.array([-0.8, 0.0])}
     return SlidingShape.of_keys(keys | state).with_rolling(np.array([0.5 + 0.1j, 0.9 + 0j]))

@@ -10,7 +10,7 @@ from studies.programs import Groups
 
 
 def answer(groups: Groups) -> speed.Answer:
-    """Return costs that tell the runs apart."""
+    """Return costs that distinguish the runs."""
     fine = groups["grid"]["cells_x"] == 1024
     response = "response" in groups.get("waviness", {})
     waves = "waviness" in groups and not response
@@ -53,7 +53,7 @@ def test_figures() -> None:
 
 
 def test_fastest_counts() -> None:
-    """Of repeated runs the fastest is taken."""
+    """The fastest of repeated runs counts."""
     seconds = iter([9.0, 2.0, 5.0] * 100)
 
     def run(groups: Groups) -> speed.Answer:

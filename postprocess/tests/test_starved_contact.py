@@ -1,4 +1,4 @@
-"""Starved contacts by their laws: film, responses, surfaces, and what is refused."""
+"""Starved contacts by their laws: film, responses, surfaces, and refusals."""
 
 import json
 import math

@@ -63,7 +63,7 @@ def test_stress_of_a_file_is_that_of_its_pressure(tmp_path: Path, half: bool) ->
     exact = hertz_circle_stress(0, 0, depths, A, PH)
     axis = one.sel(x=0, y=0, method="nearest")
     np.testing.assert_allclose(axis["szz"], exact["szz"], rtol=5e-3)
-    # The oil drags the faster body back, and the slower one along.
+    # The oil drags the faster body back, and the slower body along.
     tops = [
         stress_of_case(path, 0.0, body).isel(z=0).sel(x=0, y=0, method="nearest") for body in (1, 2)
     ]
@@ -96,7 +96,7 @@ def test_a_wave_stands_still_for_the_body_that_carries_it(tmp_path: Path) -> Non
         (history["szz"].isel(z=0).values[1:] - part) / (PH * (part / PH) ** 2)
         for history, part in zip((own, other), smooth, strict=True)
     ]
-    # What is left of the ripple over the square of the smooth pressure does not change.
+    # The rest of the ripple over the square of the smooth pressure does not change.
     phases = np.sin(4 * np.pi * starts / A)
     np.testing.assert_allclose(share[0], np.broadcast_to(-0.1 * phases, (11, 2)), atol=4e-3)
     passing = np.sin(4 * np.pi * (starts - 0.4 * moved) / A)
@@ -155,7 +155,7 @@ def test_command_of_a_file(tmp_path: Path, capsys: Capture) -> None:
     assert main(["stress", str(path), "--output", str(tmp_path / "out")]) == 0
     text = capsys.readouterr().out
     assert "Second body, S = 0.8" in text
-    assert "e-0" not in text  # what rounding leaves of y = 0 is 0
+    assert "e-0" not in text  # rounding of y = 0 gives 0
     assert "Dang Van's factor" in text
     names = {"stress.json", "stress.h5", "section.png", "section.pdf"}
     assert {one.name for one in (tmp_path / "out").glob("[!.]*")} == names

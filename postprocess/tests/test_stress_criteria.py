@@ -35,7 +35,7 @@ def eigenvalues(stress: dict[str, np.ndarray]) -> np.ndarray:
 
 def test_invariants_are_those_of_the_principal_stresses() -> None:
     stress = random_stress(1, (500,))
-    for name in COMPONENTS:  # among them: nothing, all sides alike, one shear alone
+    for name in COMPONENTS:  # among them: zero, hydrostatic, a single shear
         stress[name][:3] = 0
     for name in ("sxx", "syy", "szz"):
         stress[name][1] = 2

@@ -101,7 +101,7 @@ def test_the_surface_bears_the_loads() -> None:
     pressure = loads.pop("pressure_pa")
     for periodic in (True, False):
         top = stress_below(pressure, STEPS, 0.0, periodic=periodic, **loads).isel(z=0)
-        # Of a load that ends, images are taken away by what is interpolated: to a share of 1e-4.
+        # Images of a load that ends are removed by interpolation: to a share of 1e-4.
         close = 1e-12 if periodic else 1e-3
         np.testing.assert_allclose(top["szz"], -pressure, atol=close)
         np.testing.assert_allclose(top["sxz"], -loads["traction_x_pa"], atol=close)
@@ -120,7 +120,7 @@ def test_exchanging_the_axes_exchanges_the_stresses() -> None:
 
 
 def test_a_load_that_ends_does_not_feel_its_images() -> None:
-    """Boussinesq: far below a patch the stress is that of a point force, whatever the grid."""
+    """Boussinesq: far below a patch the stress equals a point force's, on any grid."""
     for points in (16, 33, 96):
         pressure = np.zeros((points, points + 4))
         pressure[:3, :3] = 1.0  # in a corner: its nearest images are at its side

@@ -57,7 +57,7 @@ def test_stiffness_is_a_quarter_of_the_modulus() -> None:
 
 @pytest.mark.parametrize("slip", [1.0, 1.2, 0.7])
 def test_pressure_is_that_of_the_response(slip: float) -> None:
-    """A peak carries more pressure; amplitude and phase are those of the atlas at the centre."""
+    """A peak carries more pressure; amplitude and phase match the atlas at the centre."""
     one = contact(slip)
     deformed = one.deform(wave(slip), form="none", ends="none")
     response = one.response(0.5, 0.0, slip)

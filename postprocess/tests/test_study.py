@@ -183,7 +183,7 @@ def test_the_report_stands_alone_and_keeps_all_digits(tmp_path: Path) -> None:
     assert float(row[2]) == value
     assert float(row[3]) == pytest.approx(value - 0.25)
     assert (tmp_path / "out/figures/curve.pdf").stat().st_size > 1000
-    # The first part repeats every number that stands beside one of the paper.
+    # The first part repeats every number beside a number of the paper.
     with (tmp_path / "out/tables/paper_and_this_code.csv").open(newline="") as file:
         assert list(csv.reader(file))[1][:2] == ["Films & <waves>", "h"]
 

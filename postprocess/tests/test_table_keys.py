@@ -42,7 +42,7 @@ SLIDING = MOES | {"slip_parameter": 1.5, "semi_axis_a_m": 2e-4, "reduced_modulus
 
 
 def sweep(*stresses: float, cells: int = 128, shift: float = 0.0) -> Columns:
-    """Return a sweep over the Eyring stress, whose responses tell the stress."""
+    """Return a sweep over the Eyring stress, whose responses identify the stress."""
     parts = []
     for stress in stresses:
         columns = make_columns(conditions={(100.0, 1.0): 1.0})

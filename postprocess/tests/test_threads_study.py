@@ -18,7 +18,7 @@ def seconds(groups: Groups) -> Answer:
 
 
 def test_share() -> None:
-    """The share is the throughput of one run on the threads over that of as many runs."""
+    """The share is the throughput of one run on the threads over the throughput of as many runs."""
     steady, march = threads.measure(seconds, 512, 4, 2)
     assert (steady.one_run_s, steady.runs_side_by_side_s) == (1.6, 4.0)
     assert (march.one_run_s, march.runs_side_by_side_s) == (8.0, 20.0)
@@ -55,7 +55,7 @@ def test_square_roots_are_shared(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_fastest_counts_and_runs_side_by_side_are_averaged() -> None:
-    """Of repeated runs the fastest is taken, of runs that begin together the mean."""
+    """Repeated runs count by the fastest, simultaneous runs by the mean."""
     waits = {1: iter([8.0, 4.0, 2.0, 6.0] * 2), 2: iter([3.0, 5.0] * 2)}
     rows = threads.measure(
         lambda groups: {"seconds": next(waits[groups["solver"]["threads"]])}, 64, 2, 2

@@ -70,7 +70,7 @@ def test_fits_find_the_law_that_made_the_points() -> None:
 
 
 def test_computed_waves_are_those_of_the_table() -> None:
-    """At the waves of the table both waves add up to its response; standing ones are its own."""
+    """Both waves add up to the table's response; stationary waves have the table's response."""
     contact = conditions_at(1.3)
     lengths = (0.5, 1.0, 4.0)
     pairs = [(x, y) for x in (*lengths, 0.0) for y in (*lengths, 0.0) if x or y]

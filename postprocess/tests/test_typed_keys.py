@@ -1,4 +1,4 @@
-"""Keys are typed arguments: the types are those of the program, and mypy refuses a wrong key."""
+"""Keys are typed arguments: the types match the program, and mypy refuses a wrong key."""
 
 import os
 import subprocess
@@ -37,7 +37,7 @@ WRONG = {
 
 
 def checked(text: str, folder: Path) -> list[str]:
-    """Return what mypy says of a text."""
+    """Return the output of mypy for a text."""
     pytest.importorskip("mypy")
     (folder / "snippet.py").write_text(text)
     options = ["--follow-imports=silent", "--ignore-missing-imports", "--no-site-packages"]
@@ -68,6 +68,8 @@ def test_types_are_those_of_the_program() -> None:
         pytest.skip("the programs are not built")
     text = typed_keys.module(key_table().to_dict("records"))
     assert typed_keys.PLACE.read_text() == text, "run python -m studies.typed_keys"
+    rows = typed_keys.table(key_table().to_dict("records"))
+    assert typed_keys.TABLE_PLACE.read_text() == rows, "run python -m studies.typed_keys"
     assert set(key_table()["name"]) == set(CaseKeys.__annotations__)
 
 

@@ -14,7 +14,7 @@ from ehlwave.programs.programs import find_program
 
 
 def run(folder: Path, *command: str) -> str:
-    """Run a command with the programs on PATH; return what it printed."""
+    """Run a command with the programs on PATH; return its output."""
     programs = find_program("ehlwave-case").parent
     path = {
         "PATH": f"{programs}:{os.environ['PATH']}",

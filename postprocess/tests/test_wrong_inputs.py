@@ -64,7 +64,7 @@ def balls(**keys: object) -> object:
 
 
 def barrel(**radii: float) -> object:
-    """Return the film of a body with these radii on a flat one."""
+    """Return the film of a body with these radii on a flat body."""
     one = ehlwave.Body(**{"radius_x_m": 0.01, "radius_y_m": 0.03} | radii, material="steel")
     return ehlwave.Contact.from_bodies(one, ehlwave.Body(material="steel"), **BALLS).film()
 
@@ -122,9 +122,9 @@ def study(**keys: object) -> object:
 
 
 class Wrong(NamedTuple):
-    """One wrong input.
+    """A wrong input.
 
-    ``right`` replaces the wrong keys; each of its values stands in the message, as `said`.
+    ``right`` replaces the wrong keys; the message contains each of its values, as `said`.
     """
 
     call: Callable[..., object]
@@ -137,7 +137,7 @@ class Wrong(NamedTuple):
 def value(
     call: Callable[..., object], key: str, wrong: object, right: str, said: str = ""
 ) -> Wrong:
-    """Return a wrong value of a key; the message has the right one, or what is `said` of it."""
+    """Return a wrong value of a key; the message has the right value, or `said`."""
     return Wrong(call, {key: wrong}, f"{key} = {wrong}", said or right, {key: literal_eval(right)})
 
 
@@ -361,7 +361,7 @@ def given(keys: Keys) -> Keys:
 
 
 def call(wrong: Wrong, keys: Keys) -> object:
-    """Call with keys; those removed are left out of what the call gives by itself, too."""
+    """Call with keys, without removed keys, which are also dropped from the call's own."""
     removed = [key for key, value in keys.items() if value is REMOVED]
     if not removed:
         return wrong.call(**keys)
@@ -404,7 +404,7 @@ def results(**keys: object) -> object:
 
 
 def words(name: str, right: Iterable[str]) -> str:
-    """Return a word that is none of the right ones."""
+    """Return a word outside the right words."""
     rng = np.random.default_rng(sum(map(ord, name)))
     letters = list("abcdefghijklmnopqrstuvwxyz-_ ")
     return next(w for w in iter(lambda: "".join(rng.choice(letters, 4)), "") if w not in right)

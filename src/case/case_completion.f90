@@ -5,8 +5,8 @@ module ehlwave_case_completion
    use ehlwave_case_lubricant, only: check_lubricant, pressure_viscosity
    use ehlwave_case_touching, only: check_touching, complete_amplitude
    use ehlwave_conditions, only: conditions_from_dimensional, conditions_from_moes, conditions_t
+   use ehlwave_effects_plan, only: effects_plan_t
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_inlet_plan, only: check_inlet
    use ehlwave_kinds, only: dp
    use ehlwave_case_roughness, only: check_line_roughness, check_response, complete_roughness
    use ehlwave_method_choice, only: choose_method
@@ -26,6 +26,7 @@ contains
       character(len=*), intent(in) :: place
       type(error_t), allocatable, intent(inout) :: error
       type(conditions_t) :: conditions
+      type(effects_plan_t) :: effects
 
       if (allocated(error)) return
       call case_conditions(case, conditions, error)
@@ -37,7 +38,7 @@ contains
       call complete_amplitude(case%second, '2', conditions, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
-      if (.not. allocated(error)) call check_inlet(case, error)
+      if (.not. allocated(error)) call effects%check(case, error)
       call check_touching(case, error)
       if (.not. allocated(error)) call check_scheme(case, error)
       if (.not. allocated(error)) call choose_scheme(case, conditions)

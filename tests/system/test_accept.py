@@ -1,4 +1,4 @@
-"""`scripts/accept` on this build, which is the gate on counts of work too; and that it refuses what it should."""
+"""`scripts/accept` on this build, which is the gate on counts of work too; and its refusals."""
 
 import csv
 import os
@@ -31,7 +31,7 @@ class Accept(TestCase):
             raise AssertionError(written.stdout + written.stderr)
 
     def check_refused(self, column, factor):
-        """A build that shipped values of which one is changed must not be accepted by."""
+        """A build must not be accepted by changed shipped values."""
         with self.own.open(newline="") as file:
             rows = list(csv.DictReader(file))
         (row,) = [row for row in rows if row["case"] == "transverse"]

@@ -55,7 +55,7 @@ class Accuracy(TestCase):
                 self.assertIn("Expected ", text)
                 cells.append(plan["cells_x"])
             self.assertEqual(cells, sorted(cells))
-            # second order: a tenth of the error wants about three times the cells
+            # second order: a tenth of the error needs about three times the cells
             self.assertTrue(2 <= cells[3]/cells[1] <= 4.5, cells)
 
     def test_coefficients_are_the_recorded_ones(self):
@@ -102,7 +102,7 @@ class Accuracy(TestCase):
                 self.assertIn("accuracy", outcome.stderr)
 
     def test_what_stays_above_is_inaccurate(self):
-        """Refined as far as allowed, told by status, message and exit status, and the parts add up."""
+        """Refined as far as allowed, reported by status, message and exit status, and the parts add up."""
         outcome = self.call(changed(SMOOTH, {"solver": {"accuracy": 0.002}, "grid": {"largest_cells": 128}}))
         result = last_line(outcome)
         self.assertEqual((outcome.returncode, result["status"]), (1, "inaccurate"))
@@ -126,7 +126,7 @@ class Accuracy(TestCase):
         self.assertLessEqual(result["error_estimate"], 0.01)
 
     def test_no_more_than_ten_times_the_plan(self):
-        """A contact of which every attempt fails (270 times the plan without a cap), and one that is refined."""
+        """A contact whose every attempt fails (270 times the plan without a cap), and a contact that is refined."""
         failing = {"conditions": {"load_parameter_m": 4.812, "lubricant_parameter_l": 11.72, "radius_ratio_d": 0.1549},
                    "lubricant": {"viscosity_law": "isoviscous"}, "grid": {"cells_x": 80, "cells_y": 32}}
         for groups, status in [(failing, "stalled"), (REFINED, "converged")]:

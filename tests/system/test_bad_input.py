@@ -1,4 +1,4 @@
-"""What ehlwave-case refuses: exit status 2, a message that names the key, nothing written."""
+"""Refusals of ehlwave-case: exit status 2, a message that names the key, nothing written."""
 
 import copy
 import unittest
@@ -20,7 +20,7 @@ class Raw(str):
 
 REMOVED = object()
 
-# what, group, key, value, needle
+# case, group, key, value, needle
 CHANGES = [
     ("unknown key", "conditions", "load_paramter_m", 3, "load_paramter_m"),
     ("unknown group", "mesh", "cells", 3, "mesh"),
@@ -69,7 +69,7 @@ CHANGES = [
 ]
 
 
-# group, key, value, needle: what a line contact is not
+# group, key, value, needle: refusals of line contacts
 LINE = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 11, "radius_ratio_d": 0},
         "waviness": {"orientation": "transverse", "wavelength_over_a": 0.5}, "grid": {"cells_x": 128}}
 LINE_CHANGES = [
@@ -98,7 +98,7 @@ PAIRS = [
 ]
 
 
-# waviness, groups, needle: what would have no effect
+# waviness, groups, needle: keys without effect
 SWINGS = {"load_balance": "equation_of_motion", "natural_frequency": 4}
 IDLE = [
     ({}, {"dynamics": {"load_factor": 1.2}}, "&dynamics load_factor = 1.2 belongs to marches in time"),
@@ -130,7 +130,7 @@ class BadInput(FolderTest):
             file.write(content)
 
     def refuse(self, needle, *arguments):
-        """Exit status 2, one line that begins with the program and holds the needle, no new files."""
+        """Exit status 2, a line that begins with the program and holds the needle, no new files."""
         before = sorted(self.folder.iterdir())
         outcome = run("case", *arguments, folder=self.folder)
         self.check_status(outcome, 2)
@@ -160,7 +160,7 @@ class BadInput(FolderTest):
                 self.refuse(needle, "case.nml", "--output", "case.h5")
 
     def test_keys_without_effect(self):
-        """Keys that ask for something are refused; settings are told."""
+        """Keys of results are refused; unused settings are reported."""
         for waviness, groups, needle in IDLE:
             with self.subTest(needle=needle):
                 self.write("case.nml", namelist({**GOOD, "waviness": waviness, **groups}))

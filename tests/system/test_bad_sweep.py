@@ -1,4 +1,4 @@
-"""What ehlwave-sweep refuses: exit status 2 on every rank, one message, nothing written."""
+"""Refusals of ehlwave-sweep: exit status 2 on every rank, one message, nothing written."""
 
 import copy
 import unittest
@@ -12,7 +12,7 @@ GOOD = {"sweep": {"load_parameter_m": [100, 200], "lubricant_parameter_l": 12.05
 HEADER = "load_parameter_m,lubricant_parameter_l,radius_ratio_d,orientation,wavelength_over_a"
 ROW = "100,12.05,1,transverse,1"
 
-# what, group, key, value, needle
+# case, group, key, value, needle
 CHANGES = [
     ("unknown key", "sweep", "loads", 3, "loads"),
     ("negative in a list", "sweep", "load_parameter_m", [100, -200], "load_parameter_m"),
@@ -26,7 +26,7 @@ CHANGES = [
     ("dimensional data beside lists", "conditions", "load_n", 39.2, "load_parameter_m"),
 ]
 
-# what, line 7 of the file, needles
+# case, line 7 of the file, needles
 TYPOS = [
     ("not a number", "1oo,12.05,1,transverse,1", ["cases.csv:7:", "load_parameter_m", "1oo"]),
     ("NaN", "nan,12.05,1,transverse,1", ["cases.csv:7:", "load_parameter_m"]),
@@ -44,7 +44,7 @@ class BadSweep(FolderTest):
         Path(self.folder, name).write_text(text)
 
     def refuse(self, needles, *arguments, ranks=0):
-        Path(self.folder, "results.h5").unlink(missing_ok=True)   # of an earlier mistake that was accepted
+        Path(self.folder, "results.h5").unlink(missing_ok=True)   # results of an earlier mistake that was accepted
         before = sorted(self.folder.iterdir())
         outcome = run("sweep", *arguments, ranks=ranks, folder=self.folder)
         self.check_status(outcome, 2)
@@ -69,7 +69,7 @@ class BadSweep(FolderTest):
         self.write("sweep.nml", namelist(groups))
         for what, row, needles in TYPOS:
             with self.subTest(what=what):
-                # a comment, the header, three rows, an empty line: the typo stands in line 7
+                # a comment, the header, three rows, an empty line: the typo is in line 7
                 self.write("cases.csv", "\n".join(["# cases", HEADER, ROW, ROW, ROW, "", row, ROW]) + "\n")
                 self.refuse(needles, "sweep.nml")
         with self.subTest(what="line 731"):

@@ -36,7 +36,7 @@ class CaseFile(FolderTest):
             for name in ["central_film_error", "minimum_film_error"]:
                 self.assertTrue(0 < result[name] < 0.5, result[name])
                 self.assertEqual(float(data[name]), result[name])
-            # the pressure spike stands towards the outlet, the constriction behind the centre
+            # the pressure spike is towards the outlet, the constriction behind the centre
             where = data["film"].argmin()
             self.assertGreater(x[where % len(x)], 0)
 
@@ -56,7 +56,7 @@ class CaseFile(FolderTest):
         x, y = list(data["x"]), list(data["y"])
         centre = data["film_over_time"][:, y.index(0), x.index(0)]
         self.assertEqual(list(centre), list(data["film_at_centre"][::6]))
-        # what does not ask for them gets the same numbers
+        # cases without these keys get the same numbers
         for name in ["pressure", "film", "film_at_centre"]:
             self.assertEqual(abs(data[name] - last[name]).max(), 0)
         # with steps up to the end the last set is the last solution
@@ -112,7 +112,7 @@ class CaseFile(FolderTest):
         self.assertAlmostEqual(float(data["hertz_approach_c_m"])*result["central_film"]*1e6, result["central_film_um"], delta=1e-9)
 
     def test_sliding(self):
-        """The example of sliding: the stress field adds up to the friction, and the report says both."""
+        """The example of sliding: the stress field adds up to the friction, and the report has both."""
         text = Path(__file__).resolve().parents[2].joinpath("inputs", "sliding.nml").read_text()
         result, _, data = self.run_case(text)
         cell = (data["x"][1] - data["x"][0])*(data["y"][1] - data["y"][0])

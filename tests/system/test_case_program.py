@@ -57,7 +57,7 @@ class CaseProgram(FolderTest):
         self.assertEqual([plan[name] for name in ("v", "v2", "formula_ratio")], [None]*3)
 
     def test_plan_says_the_linear_range_of_both_surfaces(self):
-        """Of the surfaces of a pair either may be beyond it."""
+        """Either surface of a pair may exceed it."""
         said = {}
         for amplitudes in ((0.01, 0.01), (0.01, 0.5), (0.5, 0.01)):
             groups = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1, "slip_parameter": 1.25},
@@ -104,7 +104,7 @@ class CaseProgram(FolderTest):
         self.assertEqual(outcome.stderr, "", "quiet means no progress lines")
 
     def test_march_of_waves_that_stand_still(self):
-        """It has no Ad/Ai, and says so; the film has its error."""
+        """It has no Ad/Ai, with a message; the film has its error."""
         waves = {**WAVY["waviness"], "orientation": "longitudinal"}
         outcome = self.run_case({**WAVY, "waviness": waves, "dynamics": {"end_time": 0.25}})
         self.check_status(outcome)

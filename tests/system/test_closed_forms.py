@@ -1,4 +1,4 @@
-"""Closed forms that stand in Fortran and in Python are the same to round-off, in random contacts."""
+"""Closed forms in Fortran and Python agree to round-off, in random contacts."""
 
 import math
 import random
@@ -21,7 +21,7 @@ except ImportError as error:
     sys.exit(SKIPPED)
 
 SEED = 340034
-CONTACTS = 40      # of each kind
+CONTACTS = 40      # contacts of each kind
 ROUND_OFF = 1e-12
 OILS = ({}, {"flow_law": "eyring", "eyring_stress_pa": 4e6}, {"flow_law": "carreau", "carreau_modulus_pa": 2e6, "carreau_exponent": 0.6})
 

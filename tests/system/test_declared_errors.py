@@ -1,4 +1,4 @@
-"""Random inputs whose numbers were once further off than they said, each of a class of its own."""
+"""Random inputs whose errors once exceeded their estimates, each of a different class."""
 
 import tempfile
 import unittest

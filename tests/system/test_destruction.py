@@ -46,7 +46,7 @@ class Destruction(unittest.TestCase):
         shutil.copytree(self.made, self.folder)
 
     def refuse(self, needles, *arguments):
-        """The program ends with 2, says why, and leaves everything as it is."""
+        """The program ends with 2 and a reason, and leaves everything unchanged."""
         before = snapshot(self.folder)
         outcome = run(*arguments, folder=self.folder)
         self.assertEqual(snapshot(self.folder), before, arguments)
@@ -59,7 +59,7 @@ class Destruction(unittest.TestCase):
         return one.exists() and other.exists() and one.samefile(other)
 
     def one_draw(self, program, number):
-        """A scene, a command on names of it; what it has damaged."""
+        """A scene, a command on names of it; the damage."""
         draw = random.Random(f"{SEED} {program} {number}")
         self.folder.mkdir()
         inputs = ["in.nml"] if program == "case" else ["sweep.nml", "rows.nml", "rows.csv"]
@@ -184,7 +184,7 @@ class Destruction(unittest.TestCase):
         self.assertEqual(len(list((self.folder/"r.store"/"fields").glob("*.h5"))), 2)
 
     def test_folder_with_names_of_a_store(self):
-        """Without its first line and a log of a run nothing says that a folder is a store."""
+        """Without its first line and a log of a run nothing marks a folder as a store."""
         self.copy()
         folder = self.folder/"mine.store"
         folder.mkdir()

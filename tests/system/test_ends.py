@@ -1,4 +1,4 @@
-"""How the programs end where the system sets a limit: of files, of memory, of those who read what they print."""
+"""How the programs end where the system sets a limit: of files, of memory, of readers of their output."""
 
 import os
 import resource
@@ -21,7 +21,7 @@ IS_DEBUG = "asan" in subprocess.run(["ldd", CASE], capture_output=True, text=Tru
 
 
 def limited(name, value):
-    """What a process has to do before it becomes the program."""
+    """Return the set-up of a process before it becomes the program."""
     return lambda: resource.setrlimit(getattr(resource, name), (value, value))
 
 
@@ -86,7 +86,7 @@ class Files(Ends):
 
 
 class ProcessorTime(Ends):
-    """What `ulimit -t` ends: SIGXCPU."""
+    """End by `ulimit -t`: SIGXCPU."""
 
     def test_a_case(self):
         self.write_case(512)
@@ -186,7 +186,7 @@ class Memory(Ends):
 
 class Plan(Ends):
     def test_a_plan_computes_nothing(self):
-        """Whatever the grid: the time of the processor is that of a small one."""
+        """On any grid, the processor time is as on a small grid."""
         for cells in (64, 4096, 8192):
             self.write_case(cells)
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -229,7 +229,7 @@ class Output(Ends):
                     self.assertEqual((code, said), (0, ""))
 
     def test_closed_streams(self):
-        """Nothing that a program opens takes their places: a closed standard output is one that could not be written."""
+        """No file that a program opens takes their places: a closed standard output counts as unwritable."""
         self.write_case(32)
         for command in ((CASE, "case.nml", "--quiet"), (SWEEP, "sweep.nml")):
             for closed, status in ((">&-", NOT_WRITTEN), ("<&- >&-", NOT_WRITTEN), ("<&- >&- 2>&-", NOT_WRITTEN), ("<&- 2>&-", 0)):
@@ -252,7 +252,7 @@ class Output(Ends):
 
 
 class LastLine(Ends):
-    """At the end of a job the launcher says nothing of its own."""
+    """At the end of a job the launcher prints nothing of its own."""
 
     def test_each_exit_status(self):
         stalled = {**EIGHT_CASES, "solver": {"largest_steps": 1}}

@@ -41,7 +41,7 @@ class ErrorVsTime(TestCase):
                 self.assertTrue(method in methods or f"'{method}' is left out" in messages.getvalue(), method)
             self.assertEqual(len(table), len(runs.all_runs(EXTENT, tuple(methods))))
             self.assertTrue(all(row["seconds"] > 0 and (row["counted_work_units"] > 0 or row["method"] == "petsc") for row in rows))
-            # what a method and a tolerance change is what their rows say
+            # the rows contain the effect of method and tolerance
             films = {(row["method"], row["deformation"], row["tolerance"]): row["central_film"] for row in rows
                      if runs.Contact(row["m"], row["d"], row["wavelength"]) == runs.SMOOTH[0] and row["cells"] == 64}
             usual = films["newton", "fft", 1e-6]

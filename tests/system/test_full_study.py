@@ -1,4 +1,4 @@
-"""scripts/study full: its sweep files, its stages, what it does when a stage stops."""
+"""scripts/study full: its sweep files, its stages, its behaviour when a stage stops."""
 
 import csv
 import importlib.util
@@ -16,7 +16,7 @@ INPUTS = ROOT / "inputs" / "full"
 CASES = {"paper_grid": "720 cases, 552 resolved", "resolved": "672 cases, 672 resolved",
          "dense": "1831 cases, 1831 resolved", "rheology": "102 cases, 102 resolved", "companion": "2 cases, 2 resolved"}
 
-# Stands for ehlwave-sweep: notes how it was called, ends with the status in the file `status`.
+# Substitute for ehlwave-sweep: notes its call, ends with the status in the file `status`.
 PROGRAM = """#!/bin/sh
 echo "$@" >>"$CALLS"
 if [ -e "$CALLS.status" ]; then exit "$(cat "$CALLS.status")"; fi

@@ -32,7 +32,7 @@ class HostileInput(FolderTest):
         (self.folder/name).write_bytes(data)
 
     def judge(self, what, needle, program, *arguments, status=REFUSED):
-        """The program must end as expected, say `needle`, and behave."""
+        """The program must end as expected, print `needle`, and behave."""
         with self.subTest(what=what):
             outcome = attack(program, *arguments, folder=self.folder)
             self.assertEqual(outcome.faults(), [], outcome.stderr[:500])

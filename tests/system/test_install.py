@@ -74,12 +74,14 @@ class Install(FolderTest):
         self.assertIn("2 finished, 0 left", status)
 
     def test_help_needs_no_mpi(self):
-        """Where MPI cannot start a process, here for want of ssh, as on some login nodes."""
+        """Where MPI cannot start a process, here for lack of ssh, as on some login nodes."""
         for option in ("--help", "--version", "--keys"):
             self.assertTrue(self.run_here(self.prefix/"bin"/"ehlwave-sweep", option, PATH="/nowhere").stdout)
 
     def test_batch_scripts_run_from_their_copies(self):
-        """As batch systems start them: copied, in the folder of submission, told of the home, by Slurm itself, or of run-sweep."""
+        """As batch systems start them: copied, in the folder of submission, with the home given, by Slurm itself, or of
+        run-sweep.
+        """
         (self.folder/"scontrol").write_text(f"#!/bin/sh\necho 'JobId=7 JobName=ehlwave'\n"
                                             f"echo '   Command={self.home}/scripts/batch/slurm.sh sweep.nml'\n")
         (self.folder/"scontrol").chmod(0o755)
@@ -140,9 +142,9 @@ class Install(FolderTest):
             self.assertEqual(len(list(csv.DictReader(table))), 2)
 
     def test_a_python_without_packages_is_told_what_to_install(self):
-        """One line, and no exit status of success; help needs no packages."""
+        """A single line, and an exit status of failure; help needs no packages."""
         bare = shutil.which("python3", path=os.defpath + ":/usr/local/bin") or "python3"
-        (self.folder/"bare").write_text(f'#!/bin/sh\nexec {bare} -S "$@"\n')   # without what is installed beside it
+        (self.folder/"bare").write_text(f'#!/bin/sh\nexec {bare} -S "$@"\n')   # without the files installed beside it
         (self.folder/"bare").chmod(0o755)
         said = self.run_here(self.prefix/"bin"/"ehlwave", "--help", EHLWAVE_PYTHON=str(self.folder/"bare")).stdout
         self.assertIn("usage: ehlwave", said)
@@ -164,7 +166,7 @@ class Install(FolderTest):
         self.assertGreater(followed, 50)
 
     def test_the_python_package_is_whole(self):
-        """What stands beside the modules, as the atlas, is installed with them."""
+        """Files beside the modules, such as the atlas, are installed with them."""
         source = ROOT/"postprocess"/"src"
         files = {path.relative_to(source) for path in source.glob("ehlwave*/**/*")
                  if path.is_file() and path.name[0] != "." and path.suffix != ".pyc" and ".egg-info" not in str(path)}

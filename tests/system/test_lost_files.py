@@ -28,7 +28,7 @@ class LostFiles(unittest.TestCase):
 
     @staticmethod
     def columns(folder):
-        """What of the results is physics, in order of the cases."""
+        """Return the physical results, in order of the cases."""
         _, data = read(folder/"r.h5")
         return [list(data[name]) for name in ("case_id", "edges", "central_film", "minimum_film")]
 
@@ -49,7 +49,7 @@ class LostFiles(unittest.TestCase):
         return outcome.stdout + outcome.stderr
 
     def answer_or_reason(self, what):
-        """The same results, or a message that names the store; and `--status` tells nothing that is not so."""
+        """Equal results, or a message that names the store; and `--status` prints nothing untrue."""
         with self.subTest(what=what):
             status = run("sweep", "--status", "r.h5", folder=self.folder)
             if status.returncode == 0:
@@ -94,7 +94,7 @@ class LostFiles(unittest.TestCase):
             self.assertNotIn("NOTICE", self.sweep("sweep.nml"))
 
     def test_defaults_of_records_that_do_not_say_them(self):
-        """Logs of before say edges in the inputs of their cases alone."""
+        """Earlier logs contain edges in the inputs of their cases alone."""
         (self.store/"defaults").unlink()
         log = next((self.store/"records").iterdir())
         kept = [line for line in log.read_bytes().split(b"\n") if b" run [" not in line[:30]]
@@ -117,7 +117,7 @@ class LostFiles(unittest.TestCase):
         self.assertEqual(self.columns(self.folder), self.before)
 
     def test_edges_of_before_on_request(self):
-        """A store of today whose sweep file asks for the edges of before is one of today all the same."""
+        """A new store whose sweep file requests the former edges is a new store all the same."""
         shutil.rmtree(self.store)
         (self.folder/"r.h5").unlink()
         (self.folder/"sweep.nml").write_text(namelist(TRUNCATED))

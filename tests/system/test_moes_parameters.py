@@ -1,4 +1,4 @@
-"""The Moes parameters and Hertz lengths of ehlwave are those of ehlwave-case."""
+"""The Moes parameters and Hertz lengths of ehlwave equal the values of ehlwave-case."""
 
 import re
 import sys

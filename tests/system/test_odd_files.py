@@ -1,4 +1,4 @@
-"""Files that are not what their names say: pipes, devices, links, folders, damaged and lost ones."""
+"""Files of another kind than their names: pipes, devices, links, folders, damaged and lost files."""
 
 import os
 import shutil
@@ -52,7 +52,7 @@ class OddFiles(FolderTest):
             os.mknod(self.folder/"device.h5", stat.S_IFCHR | 0o666, os.makedev(1, 3))
             names.append("device.h5")
         except PermissionError:
-            pass   # only root can make one
+            pass   # only root can make it
         for name in names:
             before = (self.folder/name).lstat().st_mode
             for arguments in [("case", "case.nml"), ("sweep", "sweep.nml"), ("sweep", "sweep.nml", "--overwrite")]:
@@ -79,7 +79,7 @@ class OddFiles(FolderTest):
         self.refuse("names no file", "sweep", "sweep.nml")
 
     def test_damaged_byte_of_an_input(self):
-        """One damaged byte of the input that all records of a log refer to."""
+        """A damaged byte of the input that all records of a log refer to."""
         self.run_program("sweep", "sweep.nml")
         _, before = read(self.folder/"results.h5")
         data = bytearray(self.log().read_bytes())
@@ -162,7 +162,7 @@ class OddFiles(FolderTest):
         self.assertIn("pressure", read(self.folder/"case.h5")[1])
 
     def test_reader_that_leaves(self):
-        """The output goes into a pipe that nobody reads: what is computed is stored, and nothing is wrong."""
+        """The output goes into a pipe that nobody reads: results are stored, without an error."""
         reading, writing = os.pipe()
         os.close(reading)
         process = subprocess.Popen([os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=self.folder, stdout=writing,
@@ -172,7 +172,7 @@ class OddFiles(FolderTest):
         self.assertEqual(len(finished(self.folder/"results.store")), 3)
 
     def test_early_signal(self):
-        """A signal that comes while MPI starts stops a run as a later one does."""
+        """A signal that comes while MPI starts stops a run as a later signal does."""
         for number in [signal.SIGUSR1, signal.SIGTERM]:
             with self.subTest(signal=number):
                 shutil.rmtree(self.folder/"results.store", ignore_errors=True)
@@ -187,7 +187,7 @@ class OddFiles(FolderTest):
                 self.assertEqual(finished(self.folder/"results.store"), {})
 
     def test_terminated_launcher(self):
-        """mpirun that is sent SIGTERM ends its ranks; what they had done is stored, and the same command goes on."""
+        """mpirun that is sent SIGTERM ends its ranks; finished work is stored, and the same command continues."""
         slow = {**SWEEP, "sweep": {**SWEEP["sweep"], "load_parameter_m": list(range(100, 700))}}
         (self.folder/"sweep.nml").write_text(namelist(slow))
         command = [*mpi_command(2), os.environ["EHLWAVE_SWEEP"], "sweep.nml"]

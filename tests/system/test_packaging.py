@@ -12,11 +12,11 @@ ROOT = Path(__file__).parents[2]
 PACKAGING = ROOT/"scripts"/"packaging"
 SPACK = PACKAGING/"spack"/"packages"/"ehlwave"/"package.py"
 VERSION = re.search(r"project\(ehlwave VERSION (\S+)", (ROOT/"CMakeLists.txt").read_text())[1]
-OTHER_NAME = {"matplotlib-base": "matplotlib"}   # what conda-forge calls a package without its windows
+OTHER_NAME = {"matplotlib-base": "matplotlib"}   # conda-forge's name of a package without its windows
 
 
 def wanted(text):
-    """{package: version} of a list of Python packages, one a line or in quotes."""
+    """{package: version} of a list of Python packages, one per line or in quotes."""
     found = re.findall(r"[\"\s-](?:py-)?([A-Za-z][\w-]+?)(?:>=| >=|@)([\d.]+)", text)
     return {OTHER_NAME.get(name, name): version for name, version in found}
 
@@ -29,7 +29,7 @@ def dependencies(*extras):
 
 
 class Recorder:
-    """Stands for what spack.package offers: notes every directive that the recipe calls."""
+    """Substitute for spack.package: notes every directive that the recipe calls."""
 
     def __init__(self):
         self.calls = []

@@ -52,7 +52,7 @@ class PetscLibrary(FolderTest):
                            "EHLWAVE_PETSC_LIBRARY" if LIBRARY.exists() else "-DEHLWAVE_PETSC=ON")
 
     def test_other_methods_need_none(self):
-        """Not even the rescue ladder, whose last rung is PETSc: the case fails as a stalled one."""
+        """Not even the rescue ladder, whose last rung is PETSc: the case fails as stalled."""
         outcome = self.run_case({}, library="/nowhere/library.so")
         self.check_status(outcome)
         outcome = self.run_case({"largest_steps": 1}, library="/nowhere/library.so")

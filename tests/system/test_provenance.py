@@ -68,7 +68,7 @@ def mpi(program):
 
 
 def expected():
-    """What the columns must say of this build on this machine."""
+    """Return the columns to expect of this build on this machine."""
     compiler = cache("CMAKE_Fortran_COMPILER")
     model = re.search(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
     described = subprocess.run(["git", "describe", "--always", "--dirty", "--abbrev=12"], cwd=ROOT, capture_output=True,
@@ -93,7 +93,7 @@ class Provenance(FolderTest):
         return dict(line.split(": ", 1) for line in lines[1:])
 
     def check(self, found):
-        """The tree may have been changed since the build, or even committed to: then the revision is that of before."""
+        """The tree may have been changed since the build, or even committed to: then the revision is the former."""
         wanted = expected()
         for name, value in found.items():
             if name != "git_revision":
@@ -120,7 +120,7 @@ class Provenance(FolderTest):
 
 
 class Revision(unittest.TestCase):
-    """What is taken for the revision of a source tree, by the script that the build runs."""
+    """Revision of a source tree, from the script that the build runs."""
 
     def setUp(self):
         if not shutil.which("git") or subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, capture_output=True, check=False).returncode:

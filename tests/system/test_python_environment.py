@@ -83,7 +83,7 @@ class PythonEnvironment(FolderTest):
 
 
 class LockFiles(unittest.TestCase):
-    """scripts/locks hold what postprocess/pyproject.toml wants, with checksums."""
+    """scripts/locks hold the requirements of postprocess/pyproject.toml, with checksums."""
 
     def test_locks_match_the_project(self):
         text = (ROOT/"postprocess/pyproject.toml").read_text(encoding="utf-8")

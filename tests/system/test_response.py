@@ -31,7 +31,7 @@ class Response(TestCase):
         self.assertEqual(both["amplitude_ratio_fit"], transient["amplitude_ratio_fit"])
         self.assertIsNone(harmonic["amplitude_ratio"])
         self.assertIsNone(harmonic["mean_film"])
-        # the response has an error estimate of its own, that of the transient is left as it is
+        # the response has an error estimate of its own; the transient keeps its own
         self.assertIsNone(harmonic["amplitude_ratio_error"])
         self.assertEqual(harmonic["amplitude_error_basis"], "")
         self.assertEqual(both["amplitude_ratio_error"], transient["amplitude_ratio_error"])
@@ -80,7 +80,7 @@ class Response(TestCase):
         self.assertEqual(plan["time_steps"], 0)
 
     def test_plan_for_an_accuracy(self):
-        """The response needs the grid of the transient, steps of one cell, and a small part of its work."""
+        """The response needs the grid of the transient, steps of a single cell, and a small part of its work."""
         plans = {}
         for response in ("harmonic", "both", "transient"):
             with tempfile.TemporaryDirectory() as folder:
@@ -125,13 +125,13 @@ class Response(TestCase):
         self.refuse("end_time", waviness=WAVES, dynamics={"end_time": 2.0})
 
     def test_slip_enters_the_frequency_only(self):
-        """A pattern that stands still has no phase in time but one in space: w = 0, kx > 0."""
+        """A stationary pattern has no phase in time but a phase in space: w = 0, kx > 0."""
         standing = solve(conditions={**CONTACT, "slip_parameter": 0}, grid=GRID, waviness=WAVES)
         slow = solve(conditions={**CONTACT, "slip_parameter": 1e-6}, grid=GRID, waviness=WAVES)
         self.check_close(slow["harmonic_ratio"], standing["harmonic_ratio"], 1e-4, "Ad/Ai")
 
     def test_oblique(self):
-        """sin(ky Y) vanishes at the centre: there an oblique wave does what the product of cosines does."""
+        """sin(ky Y) vanishes at the centre: there an oblique wave equals the product of cosines."""
         custom = {"orientation": "custom", "wavelength_x_over_a": 2, "wavelength_y_over_a": 1.6, "response": "harmonic"}
         product = solve(conditions=CONTACT, grid=GRID, waviness=custom)
         oblique = solve(conditions=CONTACT, grid=GRID, waviness={**custom, "oblique": True})

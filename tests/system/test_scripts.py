@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 SCRIPTS = ROOT/"scripts"
 MAY_BE_ZERO = {"--restarts", "--seed", "--smooth", "--wavy", "--marches", "--disturbances", "--faults"}
 MISSING = object()
-# What scripts call when they have taken their options for good.
+# Commands that scripts call after their options are checked.
 FURTHER = ("cmake", "mpirun", "ehlwave-sweep", "apt-get", "sudo", "afl-fuzz")
 
 
@@ -22,7 +22,7 @@ FORMER = {Path("check-accuracy"): "accuracy", Path("speed-table"): "speed"}
 
 
 def all_scripts():
-    """What can be run or sourced, by its path below scripts."""
+    """Return all files to run or source, by their path below scripts."""
     files = [path for path in sorted(SCRIPTS.rglob("*")) if path.is_file() and path.suffix != ".in"]
     found = [path.relative_to(SCRIPTS) for path in files if path.read_bytes().startswith((b"#!/", b"# shellcheck"))]
     return [script for script in found if script not in FORMER]
@@ -34,7 +34,7 @@ def own_scripts():
 
 
 def comment_of(path):
-    """The comment or docstring that a script begins with, without what is not for people."""
+    """The comment or docstring that a script begins with, without the parts for tools."""
     text = path.read_text()
     if "python" in text.split("\n", 1)[0]:
         return re.search(r'"""(.*?)"""', text, re.DOTALL)[1].strip().split("\n")
@@ -59,7 +59,7 @@ class Scripts(FolderTest):
         self.environment = {**os.environ, "PATH": f"{stubs}:{os.environ['PATH']}"}
 
     def call(self, script, *arguments, path=None):
-        """Start a script, or what has the path of a link to it."""
+        """Start a script, or a link to it."""
         command = ["bash"] if not os.access(SCRIPTS/script, os.X_OK) else []
         return subprocess.run([*command, path or self.folder/"tree"/"scripts"/script, *arguments], cwd=self.folder, text=True,
                               capture_output=True, check=False, timeout=HANGS_S, stdin=subprocess.DEVNULL, env=self.environment)
@@ -130,7 +130,7 @@ class Scripts(FolderTest):
         self.assertFalse((self.folder/"tree"/"build").exists())
 
     def test_paths_that_cmake_cannot_take(self):
-        """One line that names the character, before CMake blames a package."""
+        """A line that names the character, before CMake blames a package."""
         (self.folder/"stubs"/"cmake").write_text("#!/bin/sh\necho configured\n")
         (self.folder/"stubs"/"cmake").chmod(0o755)
         self.check_status(self.call("build"))
@@ -145,7 +145,7 @@ class Scripts(FolderTest):
 
     def test_unknown_options(self):
         for script in all_scripts():
-            if script.parts[0] in ("batch", "cmake") or script == Path("run-sweep"):   # whose options are those of ehlwave-sweep
+            if script.parts[0] in ("batch", "cmake") or script == Path("run-sweep"):  # options of ehlwave-sweep
                 continue
             with self.subTest(script=str(script)):
                 outcome = self.call(script, "--nonsense")

@@ -1,4 +1,4 @@
-"""A slide-to-roll ratio is another word for the slip parameter: S = 1 + ratio/2, one identity, one store."""
+"""A slide-to-roll ratio is another form of the slip parameter: S = 1 + ratio/2, one identity, one store."""
 
 import unittest
 from pathlib import Path
@@ -8,7 +8,7 @@ from hdf5_reading import read
 
 CONDITIONS = {"load_parameter_m": 20, "lubricant_parameter_l": 5, "radius_ratio_d": 1}
 GRID = {"cells_x": 32, "cells_y": 32}
-# of the last S and 1 + ratio/2 differ in the last bits
+# S and 1 + ratio/2 differ in the last bits here
 SAME = [(0.3, 1.15), (-0.3, 0.85), (0, 1), (2, 2), (-2, 0), (-1.98, 0.01), (0.1, 1.05)]
 
 
@@ -50,10 +50,10 @@ class SlideToRoll(FolderTest):
         data = read(self.folder / "results.h5")[1]
         self.assertEqual(list(data["slip_parameter"]), [0.85, 1, 1.15])
         self.assertEqual(list(data["slide_to_roll_ratio"]), [-0.3, 0, 0.3])
-        # the store knows them by the other word
+        # the store finds them by the other key
         outcome = self.sweep({}, output="results.h5", slip_parameter=[0.85, 1, 1.15])
         self.assertIn("3 of 3 cases are in the store already", outcome.stdout)
-        # a column of each, one in a row; two words for one case are one case
+        # a column of each, one in a row; both keys lead to the same case
         Path(self.folder, "cases.csv").write_text("slide_to_roll_ratio,slip_parameter\n-0.3,\n,0.85\n,1.15\n")
         outcome = self.sweep({}, "--plan", case_file="cases.csv")
         self.assertIn("slip_parameter = 1.15, slide_to_roll_ratio = 0.3", outcome.stdout)

@@ -33,17 +33,17 @@ class Slurm(FolderTest):
             self.skipTest("the private Slurm did not come up")
 
     def log(self, task):
-        """What a task of the array has printed so far."""
+        """Return the output of a task of the array so far."""
         path = self.folder/f"job-{task}.log"
         return path.read_text() if path.exists() else ""
 
     def is_over(self, task):
-        """Whether the job script of a task has said how it ended, and that is not 85, to be continued."""
+        """Return whether the job script of a task has reported its end, other than 85, to be continued."""
         said = re.search(r"task \d+: exit status (\d+)$", self.log(task).rstrip())
         return said is not None and said.group(1) != "85"
 
     def wait(self, is_done, seconds=HANGS_S):
-        """Wait for the jobs; one that is requeued starts again after some seconds, not after the two minutes of Slurm.
+        """Wait for the jobs; a requeued job starts again after some seconds, not after the two minutes of Slurm.
 
         Not at once: a start in the second of the requeue is refused, as its credential counts as revoked. An empty queue
         means nothing by itself: a job that is being requeued can be missing from it.

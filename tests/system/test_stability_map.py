@@ -1,4 +1,4 @@
-"""A sample of the stability map: every resolved case converges, no result claims what it should not."""
+"""A sample of the stability map: every resolved case converges, no result makes a false claim."""
 
 import sys
 import tempfile

@@ -1,4 +1,4 @@
-"""A store that version 0.1.0 made is read, continued and computed anew; one of a later format is refused with a way out."""
+"""A store that version 0.1.0 made is read, continued and computed anew; a later format is refused with a way out."""
 
 import json
 import os
@@ -11,7 +11,7 @@ from hdf5_reading import read
 from ehlwave_program import FolderTest
 from store_reading import finished
 
-OLD = Path(__file__).parent/"store_of_0.1.0"   # sweep.nml, and what it left: 2 linear responses on 32 x 32 cells
+OLD = Path(__file__).parent/"store_of_0.1.0"   # sweep.nml, and its results: 2 linear responses on 32 x 32 cells
 
 
 class StoreFormat(FolderTest):
@@ -45,7 +45,7 @@ class StoreFormat(FolderTest):
                 if name != "effective_input" and value is not None:   # texts end without blanks in the file
                     self.assertEqual(rows[case][name], value.rstrip() if isinstance(value, str) else value, name)
             self.assertEqual(rows[case]["edges"], "truncated")
-            # What the old version did not know is empty, not made up.
+            # Columns that the old version lacks are empty, not made up.
             self.assertEqual((rows[case]["build_type"], rows[case]["processor"]), ("", ""))
 
     def test_its_status(self):
@@ -59,7 +59,7 @@ class StoreFormat(FolderTest):
         self.assertEqual({row["edges"] for row in self.rows().values()}, {"truncated"})
 
     def test_its_default_goes_with_it(self):
-        """What it was begun with holds until it is dropped or the sweep file says otherwise."""
+        """Its first default holds until the store is dropped or the sweep file sets another."""
         sweep = self.folder/"sweep.nml"
         self.assertIn("0 to run", self.run_sweep("sweep.nml"))
         sweep.write_text(sweep.read_text().replace("&grid ", "&grid edges = 'flooded', "))
@@ -88,7 +88,7 @@ class StoreFormat(FolderTest):
         self.assertEqual({path: path.read_bytes() for path in self.store.rglob("*") if path.is_file()}, before)
 
     def test_the_old_store_is_of_its_own_format(self):
-        """So that nobody makes it anew with a later program: what it tests is that the old one is read."""
+        """So that nobody makes it anew with a later program: the test is that the old store is read."""
         (log,) = (OLD/"results.store"/"records").iterdir()
         header = json.loads(log.read_text().split("\n")[0].split(" ", 3)[3])
         self.assertNotIn("build_type", [name for name, _ in header[0]])

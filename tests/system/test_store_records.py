@@ -1,4 +1,5 @@
-"""A store is the set of its records: their order, which log has them, repetition and what is lost beside them change nothing."""
+"""A store is the set of its records: their order, their logs, repetition and lost records beside them change nothing.
+"""
 
 import os
 import random
@@ -23,7 +24,7 @@ def line_of(record):
 
 
 def is_case(record):
-    """Whether it is of one case, not what those behind it depend on."""
+    """Whether it belongs to a single case, without later records that depend on it."""
     return record.startswith(("case ", "start ", "stop "))
 
 
@@ -33,7 +34,7 @@ class StoreRecords(unittest.TestCase):
         place = tempfile.TemporaryDirectory()
         cls.addClassCleanup(place.cleanup)
         cls.folder = Path(place.name)
-        for loads, ranks in (([20, 25], 2), (EIGHT_CASES["sweep"]["load_parameter_m"], 0)):   # two runs, one of them on two ranks
+        for loads, ranks in (([20, 25], 2), (EIGHT_CASES["sweep"]["load_parameter_m"], 0)):  # two runs, the second on two ranks
             sweep = {**EIGHT_CASES["sweep"], "load_parameter_m": loads}
             groups = {**EIGHT_CASES, "sweep": sweep, "conditions": {"slip_parameter": 1}}
             (cls.folder/"sweep.nml").write_text(namelist(groups))
@@ -76,7 +77,7 @@ class StoreRecords(unittest.TestCase):
                     self.assertEqual(repr(value), repr(expected), name)
 
     def mixed(self, lines):
-        """What cases depend on first, then the records of cases in another order."""
+        """Return the common records first, then the records of cases in another order."""
         own = [record for record in lines if is_case(record)]
         self.random.shuffle(own)
         return [record for record in lines if not is_case(record)] + own
@@ -91,7 +92,7 @@ class StoreRecords(unittest.TestCase):
             self.check({names[name]: self.mixed(lines) for name, lines in self.logs.items()})
 
     def test_repetition(self):
-        """Of records within a log, and of whole logs, also as those of an earlier run."""
+        """Repeat records within a log, and whole logs, also as logs of an earlier run."""
         for _ in range(VARIANTS):
             logs = {}
             for name, lines in self.logs.items():
@@ -102,7 +103,7 @@ class StoreRecords(unittest.TestCase):
             self.check(logs)
 
     def test_loss(self):
-        """Of records and of whole logs: what is left is unchanged, and what is lost is computed again."""
+        """Lose records and whole logs: the rest is unchanged, and lost cases are computed again."""
         for _ in range(VARIANTS):
             logs = {name: [record for record in lines if not (record.startswith("case ") and self.random.random() < 0.3)]
                     for name, lines in self.logs.items()}
@@ -112,7 +113,7 @@ class StoreRecords(unittest.TestCase):
             self.check(logs, set(self.cases) - set(left))
 
     def test_the_last_run_counts(self):
-        """Whatever an earlier one says of the same case, in a log that is read before or behind."""
+        """Whatever an earlier record of the same case contains, in a log that is read before or after."""
         (last,) = (name for name in self.logs if name.startswith("000002"))
         other = [record.replace('["converged"', '["stalled"', 1).replace('["unresolved"', '["stalled"', 1) for record in self.logs[last]]
         self.assertNotEqual(other, self.logs[last])

@@ -1,4 +1,4 @@
-"""A measured surface in the full simulation: what is read, refused, computed and written."""
+"""A measured surface in the full simulation: reading, refusals, computation and output."""
 
 import math
 import os

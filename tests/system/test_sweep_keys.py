@@ -1,4 +1,4 @@
-"""Any key of a case is a list in &sweep or a column of a CSV file: rows, plan, status, and what is refused."""
+"""Any key of a case is a list in &sweep or a column of a CSV file: rows, plan, status, and refusals."""
 
 import copy
 import math
@@ -36,7 +36,7 @@ class SweepKeys(FolderTest):
             self.assertTrue(same, f"{name}: {data[name]} against {other[name]}")
 
     def assert_row_is_case(self, data, row, shared, keys):
-        """A row holds what ehlwave-case finds with the same keys."""
+        """A row holds the results of ehlwave-case with the same keys."""
         groups = copy.deepcopy(shared)
         for key, value in keys.items():
             groups.setdefault(GROUP_OF[key], {})[key] = value
@@ -63,13 +63,13 @@ class SweepKeys(FolderTest):
             self.assert_row_is_case(alone, row, SHARED, cases[row])
         self.assert_same(alone, self.results({**SHARED, "sweep": lists}, ranks=2))
 
-        # the same rows from a table, a byte order mark before it
+        # the rows from a table, a byte order mark before it
         self.write("cases.csv", "\ufeff" + "\n".join([",".join(lists)] + [",".join(str(case[name]) for name in lists)
                                                                           for case in cases]) + "\n")
         for ranks in [0, 2]:
             self.assert_same(alone, self.results({**SHARED, "sweep": {"case_file": "cases.csv"}}, ranks=ranks))
 
-        # found again, told in plan and status
+        # found again, shown in plan and status
         outcome = self.sweep({**SHARED, "sweep": {"case_file": "cases.csv"}})
         self.assertIn("8 of 8 cases are in the store already", outcome.stdout)
         plan = self.sweep({**SHARED, "sweep": lists}, "--plan").stdout
@@ -99,7 +99,7 @@ class SweepKeys(FolderTest):
         self.assertIn("\n18 cases,", plan.stdout, plan.stderr)
 
     def test_keys_that_count_in_some(self):
-        """Load steps belong to waves that move: of the others there is one case each."""
+        """Load steps belong to moving waves: the others have a single case each."""
         groups = {**SHARED, "sweep": {"orientation": ["none", "transverse", "longitudinal"], "load_factor": [1, 1.1]}}
         self.assertIn("\n4 cases,", self.sweep(groups, "--plan").stdout)
         groups["sweep"]["orientation"] = ["none", "longitudinal"]

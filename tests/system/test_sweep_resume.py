@@ -1,4 +1,6 @@
-"""A sweep is stopped, killed, changed and started again: what is done stays done, the rest goes on, the user is told."""
+"""A sweep is stopped, killed, changed and started again: finished cases stay finished, the rest goes on, the user is
+informed.
+"""
 
 import math
 import os
@@ -26,7 +28,7 @@ RESCUED = {"sweep": {**LONG["sweep"], "wavelength_over_a": 1}, "waviness": {"amp
            "solver": {"tolerance": 1e-4, "step_tolerance": 1e-5, "largest_steps": 4}}
 # 216 time steps, long enough to be killed in
 SLOW = {**LONG, "grid": {"cells_x": 192, "cells_y": 96}}
-SLOWER = {**LONG, "grid": {"cells_x": 384, "cells_y": 384}}   # far from done when all is said of it
+SLOWER = {**LONG, "grid": {"cells_x": 384, "cells_y": 384}}   # far from done after all output
 UNFINISHED = 85
 
 
@@ -66,7 +68,7 @@ class SweepResume(FolderTest):
             self.assertTrue(same, f"{name}: {a[name]} against {b[name]}")
 
     def test_changed_surface_is_refused(self):
-        """Identities hold the name of a surface file, not what is in it."""
+        """Identities contain the name of a surface file, not its content."""
         groups = {"conditions": {"radius_x_m": 12.52e-3, "radius_y_m": 12.52e-3, "reduced_modulus_pa": 1.17e11, "load_n": 39.2,
                                  "mean_speed_m_per_s": 0.024, "viscosity_pa_s": 1.22},
                   "surface": {"file": "s.h5"}, "grid": {"cells_x": 32, "cells_y": 32}, "dynamics": {"end_time": 0.25},
@@ -81,7 +83,7 @@ class SweepResume(FolderTest):
         self.sweep(groups, "--overwrite")
 
     def test_changed_viscosities_are_refused(self):
-        """Nor do they hold what is in a table of viscosities; cases of another law do not read it."""
+        """Nor do they contain a table of viscosities; cases of another law do not read it."""
         table = "pressure_pa,viscosity_pa_s\n0,0.05\n1e8,0.3\n4e8,20\n"
         groups = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 8, "radius_ratio_d": 1},
                   "lubricant": {"viscosity_table": "oil.csv", "temperature_k": 320},
@@ -118,7 +120,7 @@ class SweepResume(FolderTest):
             file["height"] = [[factor*4e-8*math.sin(i/3)*(8 <= i <= 56) for i in range(65)]]
 
     def test_a_march_does_not_go_on_with_another_file(self):
-        """What a checkpoint holds is the past of the old file."""
+        """A checkpoint holds the past of the old file."""
         cases = {self.write_oil: {**LONG, "lubricant": {"viscosity_law": "table", "viscosity_table": "oil.csv"}},
                  self.write_surface: {"sweep": {"radius_x_m": 12.52e-3}, "grid": LONG["grid"],
                                       "conditions": {"radius_y_m": 12.52e-3, "reduced_modulus_pa": 1.17e11, "load_n": 39.2,
@@ -138,7 +140,7 @@ class SweepResume(FolderTest):
                 (self.folder/f"{name}.h5").unlink()
 
     def test_a_file_that_is_changed_while_the_sweep_is_at_work(self):
-        """No case is run with other numbers than those of rank 0; what is done stays, with the digest of its numbers."""
+        """No case is run with other numbers than on rank 0; finished cases stay, with the digest of their numbers."""
         groups = {"sweep": {"load_parameter_m": list(range(50, 90)), "lubricant_parameter_l": 8, "radius_ratio_d": 1},
                   "lubricant": {"viscosity_law": "table", "viscosity_table": "oil.csv"}, "grid": {"cells_x": 64, "cells_y": 64}}
         (self.folder/"sweep.nml").write_text(namelist(groups))
@@ -308,7 +310,8 @@ class SweepResume(FolderTest):
             self.wait_for(lambda: count_records(self.folder/(output + ".store"), "start") == 1)
             process.send_signal(number)
             text = process.communicate(timeout=HANGS_S)[0]
-            # MPICH's mpiexec ends with 0 after SIGUSR1 whatever its ranks say; scripts/run-sweep asks the store.
+            # MPICH's mpiexec ends with 0 after SIGUSR1 whatever the status of its ranks; scripts/run-sweep asks the
+            # store.
             self.assertIn(process.returncode, [UNFINISHED, 0] if ranks and not is_open_mpi() else [UNFINISHED], text)
             self.assertIn("a signal asked for it", text)
             _, data = read(self.folder/(output + ".h5"))
@@ -361,7 +364,7 @@ class SweepResume(FolderTest):
         (self.store()/"store").write_text("ehlwave-store 2\n")
         self.assertIn("ehlwave-store 2", self.sweep(QUICK, status=2))
         self.assertIn("ehlwave-store 2", self.sweep(QUICK, "--status", "results.h5", status=2))
-        (self.store()/"store").unlink()   # the line is lost, what was computed is not
+        (self.store()/"store").unlink()   # the line is lost, not the result
         self.assertIn("4 of 4 cases are in the store already", self.sweep(QUICK))
         (self.folder/"new.store"/"records").mkdir(parents=True)
         (self.folder/"new.store"/"lock").write_text("")

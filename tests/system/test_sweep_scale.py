@@ -42,7 +42,7 @@ class SweepScale(TestCase):
             self.assertIn(f"{CASES} finished, 0 left", outcome.stdout)
 
     def test_disk_of_a_case(self):
-        """What the manual says of real cases; what is the same for any number of them falls out of the difference."""
+        """Numbers of the manual for real cases; costs that do not depend on their number cancel in the difference."""
         text = (Path(__file__).parents[2]/"postprocess/manual/explanation/sweeps.md").read_text()
         said = re.search(r"smooth (\S+) and (\S+) kB a case, linear responses (\S+) and (\S+) kB", text)
         patterns = {}, {"orientation": "transverse", "wavelength_over_a": 2, "response": "harmonic"}

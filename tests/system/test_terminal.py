@@ -22,7 +22,7 @@ class Terminal(FolderTest):
         (self.folder/"sweep.nml").write_text(namelist(SWEEP))
 
     def check(self, name, *arguments, status):
-        """What a run prints holds no control character but ends of lines; returns it."""
+        """Check that a run prints no control character except ends of lines; return its output."""
         return self.check_outcome(run(name, *arguments, folder=self.folder), status)
 
     def check_outcome(self, outcome, status):
@@ -32,7 +32,7 @@ class Terminal(FolderTest):
         return text
 
     def test_names(self):
-        """Of inputs, of results, of stores."""
+        """Names of inputs, of results, of stores."""
         for text in [HARM, "a\nNOTICE: all is well", "\x9b31m", "\udc9b31m"]:
             with self.subTest(text=text):
                 shutil.copy(self.folder/"sweep.nml", self.folder/f"{text}.nml")
@@ -49,7 +49,7 @@ class Terminal(FolderTest):
         self.assertIn("unknown preset", self.check_outcome(said, 2))
 
     def test_crafted_store(self):
-        """Every text of the records of a store is made one that harms; checksums are right."""
+        """Every text of the records of a store is replaced by a harmful text; checksums are right."""
         self.check("sweep", "sweep.nml", status=0)
         log = next((self.folder/"results.store"/"records").iterdir())
         lines = []

@@ -1,4 +1,4 @@
-"""Threads that share one contact: the same results with any number of them, and what programs say of them."""
+"""Threads that share a contact: the same results with any number of them, and messages about them."""
 
 import os
 import unittest

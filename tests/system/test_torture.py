@@ -1,5 +1,6 @@
-"""A sweep that is killed, stopped and starved of disk at random moments, and one whose system fails; scripts/study torture is the
-long form."""
+"""A sweep that is killed, stopped and starved of disk at random moments, and a sweep whose system fails; scripts/study
+torture is the long form.
+"""
 
 import os
 import sys
@@ -13,7 +14,7 @@ CASES = (160, 640, 2560)   # as many as it takes for the sweep not to be over be
 DISTURBANCES = 7 if IS_LONG else 4
 FEWEST = 4 if IS_LONG else 3
 FAULTS = 24 if IS_LONG else 10
-DAYS = 10 if IS_LONG else 2   # of each mode
+DAYS = 10 if IS_LONG else 2   # days of each mode
 
 
 class Torture(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""Measured viscosities from a file: films, what is said beyond the table, what is refused."""
+"""Measured viscosities from a file: films, messages beyond the table, refusals."""
 
 import math
 import unittest
@@ -38,7 +38,8 @@ class ViscosityTables(FolderTest):
     def test_table_of_roelands_is_roelands(self):
         expected = self.solve("", {"pressure_viscosity_per_pa": ALPHA, "roelands_index": INDEX})
         result = self.solve(rows(1.5e9, 30), TABLE)
-        # alpha of M, L is the film-forming one, not that at ambient pressure: films in metres are compared
+        # alpha of M, L is the film-forming coefficient, not the ambient-pressure coefficient: films in metres are
+        # compared
         for name in ("central_film_um", "minimum_film_um"):
             deviation = self.check_close(result[name], expected[name], 1e-3, name)
             report(f"30 pressures: {name} within {deviation:.1e}")

@@ -19,7 +19,7 @@ STEP_TOLERANCE = 5e-6
 PERIODS_TO_SETTLE = 3
 RELATIVE = 2e-3
 
-# A fast one of each orientation for each condition, resolved wherever 129 points resolve it.
+# A fast case of each orientation for each condition, resolved wherever 129 points resolve it.
 CHOSEN = {
     (1, "transverse"): [(65, 0.7), (129, 0.3)], (1, "isotropic"): [(65, 1.2), (129, 0.4)],
     (1, "longitudinal"): [(65, 0.7), (129, 0.3)],

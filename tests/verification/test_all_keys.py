@@ -1,4 +1,4 @@
-"""Every key is drawn, and numbers of random inputs are within what they say of themselves.
+"""Every key is drawn, and errors of random inputs are within their estimates.
 
 scripts/study accuracy --all-keys does the same for hundreds of inputs.
 """
@@ -24,7 +24,7 @@ except ImportError as error:
 
 COUNT = 100 if IS_LONG else 10
 SEED = int(os.environ.get("EHLWAVE_SEED", "33"))
-LARGEST_COST = 1e8 if IS_LONG else 6e6   # of the finer run: fractions of a second
+LARGEST_COST = 1e8 if IS_LONG else 6e6   # cost of the finer run: fractions of a second
 
 
 class AllKeys(unittest.TestCase):
@@ -37,7 +37,7 @@ class AllKeys(unittest.TestCase):
                 draw.check_keys(changed)
 
     def test_every_key_is_given_sometimes(self):
-        """In inputs that the program takes: one that is always refused with its key tests nothing."""
+        """In inputs that the program accepts: an input that is always refused with its key tests nothing."""
         known, given, left = key_groups(), set(), 2000
         with tempfile.TemporaryDirectory() as name:
             rng, folder = np.random.default_rng(SEED), Path(name)
@@ -59,7 +59,9 @@ class AllKeys(unittest.TestCase):
         self.assertGreaterEqual(sum(case["finer"] is not None for case in cases), COUNT // 4)
 
     def test_what_is_off_is_found(self):
-        """The comparison itself: of a number that is 10 % off and says 1 %, of one without an error, and of a negative film."""
+        """The comparison itself: a number that is 10 % off with an estimate of 1 %, a number without estimate, and a
+        negative film.
+        """
         found = {"central_film": 1.1, "film_error_mesh": 0.01, "film_error_algebraic": 0.0, "minimum_film": -0.1,
                  "minimum_film_error": None, "cells_x": 64, "cells_y": 64, "total_work_units": 1001.0}
         by_number = {one.number: one for one in compare.findings(found, {"central_film": 1.0, "minimum_film": -0.2})}

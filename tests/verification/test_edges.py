@@ -25,7 +25,7 @@ def waves(response="harmonic", amplitude=0.2):
 
 class Edges(TestCase):
     def test_small_domain(self):
-        """What the paper's domain leaves of the film and of Ad/Ai, without more GMRES steps."""
+        """Effect of the paper's domain on the film and Ad/Ai, without more GMRES steps."""
         for m, l, d, band in CONTACTS:  # noqa: E741
             with self.subTest(m=m, d=d):
                 large = contact(m, l, d, LARGE, "flooded", waviness=waves())
@@ -45,7 +45,9 @@ class Edges(TestCase):
         self.check_close(contact(20, 5, 1, LARGE, "truncated")["central_film"], films[2], 0.002, "truncated")
 
     def test_errors_have_what_lies_outside(self):
-        """On one mesh a domain four times as large (rubber: twice) changes both by less than their errors by the domain."""
+        """At a fixed mesh size, a domain four times as large (rubber: twice) changes both by less than their errors by
+        the domain.
+        """
         sliding = {"conditions": {"slip_parameter": 1.6, "reduced_modulus_pa": 2.26e11}}
         soft = {"conditions": {"radius_x_m": 0.01, "radius_y_m": 0.05, "reduced_modulus_pa": 2e7, "load_n": 5.0, "mean_speed_m_per_s": 0.5,
                                "viscosity_pa_s": 0.05, "slip_parameter": 1.2}, "lubricant": {"viscosity_law": "isoviscous"}}

@@ -11,7 +11,7 @@ from ehlwave_program import TestCase, report, solve
 
 RECORD = Path(__file__).resolve().parents[2] / "postprocess" / "record" / "error-vs-time" / "estimates.csv"
 FACTOR = 3
-# Errors below this are near those of the references and of the default step tolerance.
+# Errors below this are close to the errors of the references and of the default step tolerance.
 SMALLEST_ERROR = 1e-3
 ESTIMATES = {"central_film": "central_film_error", "minimum_film": "minimum_film_error",
              "amplitude_ratio_fit": "amplitude_ratio_error"}
@@ -57,7 +57,7 @@ class ErrorEstimates(TestCase):
             report(f"{what} error over error: {min(ratios):.2f} to {max(ratios):.2f} in {len(ratios)} results")
 
     def test_rescued(self):
-        """After a continuation from smaller M the error is that of the case, not of the neighbour that was solved on the way."""
+        """After a continuation from smaller M the error belongs to the case, not to the neighbour solved on the way."""
         result = solve(m=1000, d=1, grid={"cells_x": 192, "cells_y": 96}, solver={"largest_steps": 5})
         self.assertEqual((result["status"], result["rung"]), ("converged", "continuation"))
         finer = solve(m=1000, d=1, grid={"cells_x": 384, "cells_y": 192})

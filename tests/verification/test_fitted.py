@@ -14,7 +14,7 @@ ERRORS = {"central_film": "central_film_error", "harmonic_ratio": "harmonic_erro
 
 
 def contact(scheme, cells, conditions=HEAVY, waves=None, oil=None, **solver):
-    """One contact on so many cells along each side."""
+    """A contact on so many cells along each side."""
     grid = {"cells_x": cells} if conditions["radius_ratio_d"] == 0 else {"cells_x": cells, "cells_y": cells}
     groups = {"conditions": conditions, "grid": grid, "solver": {"scheme": scheme, **solver}}
     if oil:
@@ -26,7 +26,7 @@ class BothSchemes:
     """Three grids of either scheme, for a contact and its oil."""
 
     conditions, oil = HEAVY, None
-    shares = (("central_film", 0.1), ("harmonic_ratio", 0.2))   # of the averaged error that may be left
+    shares = (("central_film", 0.1), ("harmonic_ratio", 0.2))   # share of the averaged error that may be left
 
     @classmethod
     def setUpClass(cls):
@@ -85,7 +85,7 @@ class Fitted(BothSchemes, TestCase):
         self.check_close(result["central_film"], self.fitted[1]["central_film"], 2e-6, "central film")
 
     def test_accuracy_at_a_heavy_load(self):
-        """The plan takes this scheme, and what was asked for is reached: against four times the cells."""
+        """The plan takes this scheme, and the requested accuracy is reached: against four times the cells."""
         heavy = {"load_parameter_m": 10000, "lubricant_parameter_l": 12.05, "radius_ratio_d": 0.07}
         waves = {**WAVES, "response": "harmonic"}
         result = solve(conditions=heavy, waviness=waves, solver={"accuracy": 0.01}, grid={"edges": "flooded"})

@@ -88,7 +88,7 @@ contains
       end associate
    end subroutine solve
 
-   !> No node with pressure gains or loses oil, no node without pressure wants to gain any, and the pressure carries the
+   !> No node with pressure gains or loses oil, no node without pressure would gain any, and the pressure carries the
    !> load. The film is computed anew, by FFT.
    subroutine check_balances(name, problem, state, is_fft)
       character(len=*), intent(in) :: name

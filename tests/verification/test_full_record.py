@@ -1,7 +1,7 @@
 """Points of Figures 1 and 2: marched waves beside linear responses, and the record of the full study beside the programs.
 
-Both ways to a point share the smooth contact and nothing else. The record (postprocess/record/full) is what the READMEs state their
-findings from: it has to be what the programs give now, with the settings that it was made with.
+Both ways to a point share the smooth contact and nothing else. The findings of the READMEs come from the record
+(postprocess/record/full). It has to match the present programs, with the settings of the record.
 """
 
 import csv
@@ -22,8 +22,8 @@ if not IS_LONG:   # every value of most columns once
     QUICK = [point for place, point in enumerate(QUICK) if place%7 == 0]
     RESOLVED = [point for place, point in enumerate(RESOLVED) if place%7 == 0]
     PAPER_GRID = PAPER_GRID[::3]
-# Marched waves have Ai = 20 % of the film, linear responses are those of small ones. Measured: at most 0.0055, longitudinal waves
-# with M = 50, D = 0.12, lambda = 1.4 a.
+# Marched waves have Ai = 20 % of the film, linear responses belong to small waves. Measured: at most 0.0055,
+# longitudinal waves with M = 50, D = 0.12, lambda = 1.4 a.
 FINITE_AMPLITUDE = 0.0065
 SAME_SETTINGS = 5e-4    # compilers and FFT libraries differ in last bits, tolerances leave 1e-4
 

@@ -21,7 +21,7 @@ OIL = {"oil_conductivity_w_per_m_k": 0.14, "oil_heat_capacity_j_per_kg_k": 2000.
 FILM_BAND, RISE_BAND = 0.007, 0.03
 SOLVED = {"tolerance": 1e-8, "response_tolerance": 1e-11}
 OBLIQUE = {"wavelength_x_over_a": 1.0, "wavelength_y_over_a": 0.8, "oblique": True}
-SPIKED = 0.2             # of the slide-to-roll ratio; below it, largest rises sit in the pressure spike and grow with every grid
+SPIKED = 0.2  # least slide-to-roll ratio; below it, largest rises sit in the pressure spike and grow with every grid
 NAMES = {"central_film_um": ("central_film_m", 1e6), "minimum_film_um": ("minimum_film_m", 1e6),
          "friction_coefficient": ("friction_coefficient", 1)}
 RISES = ("largest_rise_mid_film_k", "largest_rise_wall_1_k", "largest_rise_wall_2_k")
@@ -81,7 +81,7 @@ def wavy_line(flow, waves, heat):
 
 
 def wavy_point(flow, waves, heat):
-    """The same on a point contact."""
+    """Input of a point contact with waves."""
     given = {
         "conditions": {"radius_x_m": 0.01, "radius_y_m": 0.01, "reduced_modulus_pa": 2.26e11, "load_n": 100.0,
                        "mean_speed_m_per_s": 2.0, "viscosity_pa_s": 0.08, "slip_parameter": 1.15},
@@ -115,7 +115,7 @@ class Heat(TestCase):
             coarse, fine = (solve(**groups(row, cells)) for cells in (268, 536))
             what = f"{row['mean_speed_m_per_s']} m/s, slide-to-roll ratio {row['slide_to_roll_ratio']}"
             for name, (theirs, unit) in NAMES.items():
-                if row[theirs] == 0:   # in pure rolling the friction is round-off, of which no grid tells the error
+                if row[theirs] == 0:   # in pure rolling the friction is round-off, whose error no grid shows
                     self.assertLess(abs(fine[name] or 0), 1e-6, f"{what}: {name}")
                 else:
                     value = fine[name] + (fine[name] - coarse[name])/3
@@ -168,7 +168,7 @@ class Heat(TestCase):
         report("; ".join(found))
 
     def test_without_effect(self):
-        """An oil whose viscosity and density know no temperature: the isothermal numbers, whatever the temperatures do."""
+        """An oil with constant viscosity and density over temperature: the isothermal numbers at any temperatures."""
         row = read_rows()[7]
         for flow in ("eyring", "newtonian"):
             inert = groups(row, 256, heat={"oil_expansion_per_k": 0.0, "viscosity_temperature_per_k": 0.0})
@@ -181,7 +181,7 @@ class Heat(TestCase):
             for name in ("central_film", "minimum_film", "max_pressure", "friction_coefficient"):
                 self.check_close(inert[name], cold[name], 1e-10, f"{flow}: {name}")
             self.assertGreater(inert["largest_rise_mid_film_k"], 20)
-            for name in ("inlet_temperature_rise_k", "contact_temperature_rise_k"):   # estimates of what &heat computes
+            for name in ("inlet_temperature_rise_k", "contact_temperature_rise_k"):   # estimates of results of &heat
                 self.assertIn(name, cold)
                 self.assertNotIn(name, inert)
 
@@ -227,7 +227,7 @@ class Heat(TestCase):
         self.check_close(result["heat_of_shear"], sliding, 0.1, "power of shear")
 
     def test_balance_under_heavy_load(self):
-        """The balance is that of the film under pressure alone: single nodes where it is cavitated keep some pressure."""
+        """The balance covers the film under pressure alone: single nodes where it is cavitated keep some pressure."""
         found = []
         for cells in (256, 512):
             result = solve(**groups({**read_rows()[7], "load_n_per_m": 1.2e6, "slide_to_roll_ratio": 1.8}, cells))
@@ -236,7 +236,7 @@ class Heat(TestCase):
         report(f"1.47 GPa, slide-to-roll ratio 1.8: heat balance {', '.join(found)}")
 
     def test_waves_without_effect(self):
-        """The same of linear responses: of transverse, longitudinal and oblique waves, on lines and points."""
+        """Linear responses: transverse, longitudinal and oblique waves, on lines and points."""
         inert = {"oil_expansion_per_k": 0.0, "viscosity_temperature_per_k": 0.0}
         for make, flow, waves in ((wavy_line, "eyring", {}), (wavy_line, "eyring", {"orientation": "isotropic"}),
                                   (wavy_point, "eyring", {}), (wavy_point, "newtonian", {}),
@@ -269,8 +269,9 @@ class Heat(TestCase):
         report("marches differ from responses by " + ", ".join(found) + " of Ai")
 
     def test_temperatures_carried(self):
-        """Temperatures that march: waves of no height leave the contact as it was, an oil that knows no temperature marches as
-        without heat, and what frozen temperatures leave out of Ad/Ai is within the estimate."""
+        """Temperatures that march: waves of no height leave the contact unchanged, an oil independent of temperature
+        marches as without heat, and the effect of frozen temperatures on Ad/Ai is within the estimate.
+        """
         inert = {"oil_expansion_per_k": 0.0, "viscosity_temperature_per_k": 0.0}
         waves = {"response": "both", "amplitude_over_film": 0.01}
         for make in (wavy_line, wavy_point):
@@ -329,8 +330,9 @@ class Heat(TestCase):
             self.assertEqual(found[slip, wave], solve(**given)["harmonic_ratio"], (slip, wave))
 
     def test_free_volume(self):
-        """Doolittle's law takes its temperature from the occupied volume and from that of Tait's equation: at ambient pressure
-        -d ln(eta)/dT = B R0 (aV - e)/(1 - R0)^2, and a modulus that softens thins the film further."""
+        """Doolittle's law takes its temperature from the occupied volume and from the volume of Tait's equation: at
+        ambient pressure -d ln(eta)/dT = B R0 (aV - e)/(1 - R0)^2, and a modulus that softens thins the film further.
+        """
         row = {**read_rows()[7], "slide_to_roll_ratio": 0.2}
         waves = {"waviness": {"orientation": "transverse", "wavelength_over_a": 1.0, "response": "harmonic"}}
         films = []

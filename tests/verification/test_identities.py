@@ -5,22 +5,24 @@ integrated by parts, this leaves
 
     integral Q grad p = ubar integral h dp/dx,      dimensionless   integral Qhat g = integral H dP/dX,  g = (dP/dX, kappa dP/dY):
 
-what the pressure gradient dissipates is what the moving surfaces put in against the pressure. For a line with constant viscosity
-H^3 dP/dX = lambdabar (H - Hc), so H dP = lambdabar (H - Hc)/H^2 dX. In the inlet, up to the edge of the dry contact, Grubin's film
-H = Hc + G with the dry gap G makes this, in units of lambdabar Hc^(-1/3),
+the dissipation by the pressure gradient equals the work of the moving surfaces against the pressure. For a line with
+constant viscosity H^3 dP/dX = lambdabar (H - Hc), so H dP = lambdabar (H - Hc)/H^2 dX. In the inlet, up to the edge of
+the dry contact, Grubin's film H = Hc + G with the dry gap G gives, in units of lambdabar Hc^(-1/3),
 
     Hc^(1/3) integral G/(Hc + G)^2 dX -> (3/(4 2^(1/2)))^(2/3) (2/3) Beta(5/3, 1/3) = 1.056          as Hc -> 0,
 
 with G = (4 2^(1/2)/3) l^(3/2) at a distance l from the edge. G of the dry contact and an inlet at X = -2.5 take 1.0 Hc^(1/3) off.
-Computed films have 0.970 of what is left at M = 100, 300 and 1000 alike (meshes of 4/8192, extrapolated): they are 2.25 Hc at the
-edge, where Grubin's is Hc. So the limit is 1.02.
+Computed films have 0.970 of the rest at M = 100, 300 and 1000 alike (meshes of 4/8192, extrapolated): they are 2.25 Hc
+at the edge, where Grubin's is Hc. So the limit is 1.02.
 
-That is the inlet. Over the whole contact the integral has no limit in these units. With integral dP = 0 it is that of (H - Hc) dP, and
+That is the inlet. Over the whole contact the integral has no limit in these units. With integral dP = 0 it is the
+integral of (H - Hc) dP, and
 
 - the inlet, Hc^(1/3) integral G^2/(Hc + G)^3 dX: 0.88 - 1.0 Hc^(1/3), as above with Beta(8/3, 1/3);
 - the inside, where P is Hertzian: Hc^3/lambdabar^2 Hc^(1/3) integral X^2/(1 - X^2) dX up to l = Hc^(2/3) from the edges, which is
   -(2/3) ln(Hc) Hc^(10/3)/lambdabar^2; Hc goes with lambdabar^(3/5), so only the logarithm varies;
-- what both leave in the ends, l of the order Hc^(2/3), where all scale alike: a constant, 0.15 as measured from M = 100 to 1000.
+- the rest of both in the ends, l of the order Hc^(2/3), where all scale alike: a constant, 0.15 as measured from M =
+  100 to 1000.
 
 So the whole is 0.97, 1.08, 1.17 at M = 100, 300 and 1000 (1.15 and 1.10 for the last on meshes of 4/4096 and 4/2048; 1.14 with an inlet
 at -1.75), and 1.06 is met in passing.

@@ -6,8 +6,8 @@ import unittest
 from ehlwave_program import TestCase, report, solve
 from studies.published.values import line_ratios, small_line_ratios
 
-# Of Ai, by the shortest wave it holds for. Measured 0.004 at 0.5 a and longer, 0.017 at 0.25 a, 0.050 at 0.125 a, to 3e-4:
-# their z and alpha are not known, nor their error.
+# Bands in Ai, by the shortest wave of their range. Measured 0.004 at 0.5 a and longer, 0.017 at 0.25 a, 0.050 at 0.125
+# a, to 3e-4: the published z, alpha and error are unknown.
 PUBLISHED_BANDS = ((0.5, 0.006), (0.25, 0.025), (0.125, 0.055))
 LARGE_BAND = 0.02        # at Ai = 0.5 Hc; measured 0.015
 # Moes (1992), Barus and incompressible; measured +0.038 to -0.062. With the default lubricant films lie 1 to 28 per cent
@@ -65,7 +65,7 @@ class LineContact(TestCase):
         report(", ".join(f"lambda = {key} a: {value:.4f} ({published[key]})" for key, value in found.items()))
 
     def test_published_marches(self):
-        """What a march adds to the linear response on 256 cells, on top of that on 2048."""
+        """Difference of a march from the linear response on 256 cells, and on 2048."""
         found = {}
         for one in (one for one in line_ratios() if one.wavelength_over_a in (1, 0.5)):
             wavelength, amplitude = one.wavelength_over_a, one.amplitude_over_film

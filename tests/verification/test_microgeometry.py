@@ -1,4 +1,4 @@
-"""Deformed roughness, predicted by superposition and by one call of Contact, beside marches on a coarse grid."""
+"""Deformed roughness, predicted by superposition and by a call of Contact, beside marches on a coarse grid."""
 
 import sys
 import tempfile
@@ -122,7 +122,7 @@ class LambdaRatio(unittest.TestCase):
 
     @staticmethod
     def worn(length, points):
-        """Heights with waves of 0.35 to 3.2 a and two of one length, which run out to zero at both ends."""
+        """Heights with waves of 0.35 to 3.2 a and two of the same length, which run out to zero at both ends."""
         x = np.arange(length*points + 1)/points
         waves = np.fft.rfftfreq(x.size, 1/points)
         parts = np.fft.rfft(np.random.default_rng([4, 21920]).standard_normal(x.size))*(1 + (waves/0.3)**2)**-0.7

@@ -1,4 +1,4 @@
-!> Cases A, B, A in one process: both runs of A give the same bits.
+!> Cases A, B, A in a single process: both runs of A give the same bits.
 program test_no_hidden_state
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t

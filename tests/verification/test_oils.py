@@ -1,4 +1,4 @@
-"""Full contacts with every law of viscosity and flow: all methods agree, films are what their coefficients say."""
+"""Full contacts with every law of viscosity and flow: all methods agree, films follow their coefficients."""
 
 import unittest
 
@@ -21,7 +21,7 @@ FILMS = ["central_film", "minimum_film", "max_pressure", "friction_coefficient"]
 
 class Oils(TestCase):
     def test_methods(self):
-        """FAS and PETSc find what Newton's method finds, with a Ree-Eyring oil that slides."""
+        """FAS and PETSc find the solution of Newton's method, with a Ree-Eyring oil that slides."""
         has_petsc = "PETSc" in run("case", "--version", "--verbose").stdout
         methods = ["fas", "petsc"] if has_petsc else ["fas"]
         for m, d in ((100, 1), (200, 0.35)):
@@ -57,7 +57,9 @@ class Oils(TestCase):
                     report(f"{shape}, {law}: alpha {alpha:.3g} 1/Pa, film {100*deviation:.1f} % from Roelands'")
 
     def test_carreau(self):
-        """S = 0.5: converges, the film a little thinner than the Newtonian one, friction far lower and against the motion."""
+        """S = 0.5: converges, the film a little thinner than the Newtonian film, friction far lower and against the
+        motion.
+        """
         carreau = {"flow_law": "carreau", "carreau_modulus_pa": 7e6, "carreau_exponent": 0.4}
         for shape, (conditions, grid) in SHAPES.items():
             with self.subTest(shape=shape):

@@ -1,7 +1,7 @@
 """Observed order of Ad/Ai in mesh size and in time step, each by itself, in the linear range.
 
 A wave of 1 % of the film and lambda = 2 a: the error has to be in its asymptotic range on grids a test can afford.
-The pattern settles for three periods, so that what is left of the start is far below the differences compared.
+The pattern settles for three periods, so that the effect of the start is far below the differences compared.
 """
 
 import unittest

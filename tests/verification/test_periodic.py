@@ -38,7 +38,7 @@ class Periodic(TestCase):
                        f"{state['counted_work_units']:.0f}, march {march['counted_work_units']:.0f}")
 
     def test_steep_waves(self):
-        """Waves of 40 % of the film; a fit of one harmonic depends on which samples it has."""
+        """Waves of 40 % of the film; a fit of a single harmonic depends on its samples."""
         march, state = [solve(m=100, d=1, grid=GRID, waviness=waves(response, "transverse", 0.5, 0.4),
                               solver={"settling_periods": 3, "error_estimate": "model"})
                         for response in ("transient", "periodic")]

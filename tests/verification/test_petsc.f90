@@ -40,12 +40,12 @@ program test_petsc
 contains
 
    !> Smooth contact from a Hertz guess and from the coarser grid, then two steady states with a longitudinal
-   !> pattern and one time step of a transverse one.
+   !> pattern and a time step of a transverse pattern.
    subroutine compare_contact(name, m, d, cells)
       character(len=*), intent(in) :: name
       real(dp), intent(in) :: m, d
       integer, intent(in) :: cells
-      type(hierarchy_t) :: coarse, single     ! of one level each
+      type(hierarchy_t) :: coarse, single     ! hierarchies of a single level
       type(state_t) :: on_coarse, guess, smooth, wavy
       real(dp), allocatable :: pattern(:, :)
       real(dp) :: amplitude
@@ -97,7 +97,7 @@ contains
       call hertz_guess(single%levels(1)%problem, guess)
    end function hertz
 
-   !> Solve with both from the same guess; `theirs` is what PETSc finds.
+   !> Solve with both from the same guess; `theirs` is the solution of PETSc.
    subroutine compare(name, single, guess, theirs)
       character(len=*), intent(in) :: name
       type(hierarchy_t), intent(inout) :: single
@@ -142,7 +142,7 @@ contains
                       name//', residual '//to_text(report%residual, 3))
    end subroutine check_converged
 
-   !> The same solve before and after another one gives the same bits. Whole domain here.
+   !> A repeated solve after another solve gives the same bits. Whole domain here.
    subroutine check_repetition()
       type(hierarchy_t) :: single
       type(petsc_solver_t) :: petsc

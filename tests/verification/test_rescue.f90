@@ -56,7 +56,8 @@ contains
       end do
    end subroutine compare
 
-   !> A level has no film of another contact: not of the neighbour that a rescue went on from, and not of one that was not solved.
+   !> A level has no film of another contact: not of the neighbour that a rescue went on from, and not of an unsolved
+   !> contact.
    subroutine check_forgetting()
       type(full_multigrid_t) :: multigrid
       type(neighbour_t) :: neighbour

@@ -62,7 +62,7 @@ def slope_of_gap(result):
 
 class Rolling(TestCase):
     def test_moment_and_shear_of_the_walls(self):
-        """Two integrals of one solution, of any oil, starved and warm: alike to round-off."""
+        """Two integrals of a solution, of any oil, starved and warm: alike to round-off."""
         ball = {"radius_x_m": 0.0127, "radius_y_m": 0.0127, "load_n": 40, "mean_speed_m_per_s": 4, "viscosity_pa_s": 0.05, **STEEL}
         warm = {"oil_conductivity_w_per_m_k": 0.14, "oil_heat_capacity_j_per_kg_k": 2000, "oil_density_kg_per_m3": 870,
                 "viscosity_temperature_per_k": 0.04, "oil_expansion_per_k": 7e-4}
@@ -86,7 +86,7 @@ class Rolling(TestCase):
                 self.check_close(2*shear/slope_of_gap(result), moment, 1e-6, "shear of the walls")
 
     def test_dissipation(self):
-        """An oil that is sheared dissipates what rolling and sliding take: a third route, apart by the mesh."""
+        """Dissipation in the oil equals the power of rolling and sliding: a third route, apart by the mesh."""
         for name, band, slip, d, lubricant, cells in (
                 ("isoviscous line", 0.0005, 1.0, 0, ISOVISCOUS, 512), ("that slides", 0.0005, 1.4, 0, ISOVISCOUS, 512),
                 ("isoviscous ball", 0.001, 1.0, 1, ISOVISCOUS, 128), ("ball", 0.005, 1.0, 1, BARUS, 128)):
@@ -103,7 +103,7 @@ class Rolling(TestCase):
                     made += float(across.sum())*step*2*(y[1] - y[0])
                 made += float(weight @ np.where(p > 0, lam/3*(slip - 1)**2*eta/h, 0).sum(1))*step
                 load = math.pi/2 if d == 0 else 2*math.pi/3
-                # of the unit c ph over a: F/w = unit/load int H dP/dX, and friction over unit likewise
+                # Unit c ph over a: F/w = unit/load int H dP/dX, and friction over unit likewise
                 unit = 2*result["rolling_resistance_coefficient"]/(-result["pressure_centre_x"]*slope_of_gap(result))
                 taken = load/unit*(2*result["rolling_resistance_coefficient"] + 2*(slip - 1)*result["friction_coefficient"])
                 off = self.check_close(made, taken, band, "dissipation")
@@ -121,7 +121,7 @@ class Rolling(TestCase):
 
     def test_line_contacts_beside_published_formula(self):
         """Biboulet and Houpert (2010), part 1, equation 42, from the isoviscous to the elastic end."""
-        # the formula turns sharply from one end to the other, at M = 1.07
+        # the formula changes sharply between its limits, at M = 1.07
         for m, l, band in ((1, 5, 0.01), (5, 5, 0.18), (10, 12, 0.08), (30, 12, 0.07), (100, 8, 0.05), (100, 12, 0.03)):  # noqa: E741
             result = solve(m=m, l=l, d=0, conditions=STEEL, lubricant=BARUS,
                            grid={"edges": "flooded", "x_min": -8, "x_max": 2, "cells_x": 1536})
@@ -143,7 +143,7 @@ class Rolling(TestCase):
             self.check_close(ten, formula, 0.2, "out to 10 a")
 
     def test_oil_outside_is_that_of_a_larger_domain(self):
-        """On one mesh a domain four times as large changes resistance by less than the part of the error."""
+        """At a fixed mesh size, a domain four times as large changes resistance by less than the part of the error."""
         for name, groups in {"light": {"m": 20, "l": 5, "d": 1}, "slender": {"m": 200, "l": 10, "d": 0.1},
                              "isoviscous": {"m": 50, "l": 5, "d": 0.4, "lubricant": ISOVISCOUS}, "line": {"m": 10, "l": 8, "d": 0}}.items():
             found = []

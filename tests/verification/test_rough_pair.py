@@ -1,4 +1,5 @@
-"""Two rough surfaces: marches against the sum of both linear responses, what both do to the mean film, maps on both.
+"""Two rough surfaces: marches against the sum of both linear responses, the effect of both on the mean film, maps on
+both.
 
 A wave of surface j is the real part of A_j exp(i (k_j X - w_j T)); H(0,0) has the real part of A_j T_j exp(-i w_j T).
 """
@@ -51,7 +52,7 @@ class RoughPair(TestCase):
                 for number, length, speed in (("", lengths[0], 1.25), ("_2", lengths[1], 0.75)):
                     k = 2*math.pi/length
                     response = transfer(data, number)
-                    crest = cmath.exp(-1j*k*START)       # of the pattern that has a crest at the inlet at T = 0
+                    crest = cmath.exp(-1j*k*START)       # phase of the pattern that has a crest at the inlet at T = 0
                     turns = exp(-1j*k*speed*data["time"][settled])
                     predicted = predicted + 0.01*film*(response*crest*turns).real
                     self.assertLess(abs(march(data, number) - response), 0.005, number)
@@ -76,7 +77,7 @@ class RoughPair(TestCase):
                f"and {abs(march(settled, '_2')):.5f}; rise over that to second order {rise/expected:.3f}")
 
     def test_the_error_is_that_of_the_worse_surface(self):
-        """Short waves on either surface: the same case in other words says the same."""
+        """Short waves on either surface: equivalent inputs give the same result."""
         found = []
         for slip, lengths in ((1.5, (2, 0.4)), (0.5, (0.4, 2))):
             pair = solve(m=100, d=1, grid={"cells_x": 96, "cells_y": 64}, conditions={"slip_parameter": slip},
@@ -89,7 +90,9 @@ class RoughPair(TestCase):
         self.assertTrue(accurate["status"] == "inaccurate" or max(accurate["harmonic_error"], accurate["harmonic_error_2"]) <= 0.1)
 
     def test_one_pattern_in_two_parts(self):
-        """In pure rolling equal waves on both surfaces are one of the sum of their amplitudes: Ai and 2 Ai as 3 Ai."""
+        """In pure rolling equal waves on both surfaces act as a single wave with the sum of their amplitudes: Ai and 2
+        Ai as 3 Ai.
+        """
         groups = {"m": 100, "d": 1, "grid": GRID, "solver": {**BY_MODEL, "step_tolerance": 1e-7}}
         parts = solve(**groups, waviness=wave(0.9, 0.05), waviness2=wave(0.9, 0.1, None))
         whole = solve(**groups, waviness=wave(0.9, 0.15))
@@ -113,7 +116,7 @@ class RoughPair(TestCase):
         length = (points - 1)*step/a
         solver = {**BY_MODEL, "settling_periods": 0}
         smooth = solve(conditions=conditions, grid=GRID)
-        rq = 0.1*smooth["central_film_um"]*1e-6/math.sqrt(2)      # of each map
+        rq = 0.1*smooth["central_film_um"]*1e-6/math.sqrt(2)      # Rq of each map
         waves = {"": [(0.9, 1.0, 0.3), (1.4, 0.8, 2.0)], "_2": [(1.1, 1.0, 4.0), (1.7, 0.6, 1.0)]}   # lambda/a, share, phase
         with tempfile.TemporaryDirectory() as folder:
             for number, of in waves.items():
@@ -129,7 +132,7 @@ class RoughPair(TestCase):
             outcome = run("case", "maps.nml", "--output", "maps.h5", folder=folder)
             self.check_status(outcome)
             _, data = read(Path(folder, "maps.h5"))
-        # both maps fill the inlet and the contact, and what came before has passed
+        # both maps fill the inlet and the contact, and earlier patterns have passed
         first, last = (-START + 1.8)/0.75, (length - START - 1.8)/1.25
         span = (data["time"] > first) & (data["time"] < last)
         self.assertGreater(span.sum(), 20)

@@ -5,7 +5,7 @@ import unittest
 
 from ehlwave_program import TestCase, report, solve
 
-STEP = 1e-4         # of the logarithm of a property
+STEP = 1e-4         # step in the logarithm of a property
 AGREEMENT = 1e-6    # relative
 TIGHT = {"tolerance": 1e-10, "response_tolerance": 1e-9, "largest_steps": 100}
 
@@ -31,7 +31,7 @@ def moes(flow_law, d=1, edges="truncated", **conditions):
 
 
 def doolittle(alpha=1, stress=1):
-    """A contact in SI units, whose load, speed and geometry stay; Doolittle's factor is that of ln(eta/eta0)."""
+    """A contact in SI unitswith constant load, speed and geometry; Doolittle's factor acts on ln(eta/eta0)."""
     return {"conditions": {"radius_x_m": 0.0125, "radius_y_m": 0.02, "reduced_modulus_pa": 2.26e11, "load_n": 20,
                            "mean_speed_m_per_s": 0.5, "viscosity_pa_s": 0.08, "slip_parameter": 1.2},
             "lubricant": {"viscosity_law": "doolittle", "density_law": "tait", "doolittle_factor": 4*alpha,
@@ -73,7 +73,7 @@ class Sensitivities(TestCase):
         self.check("line contact, Ree-Eyring, S = 1.2", moes("eyring", d=0, slip_parameter=1.2))
 
     def test_flooded_edges(self):
-        """What waves change at the edges is not differentiated."""
+        """Changes by waves at the edges are not differentiated."""
         self.check("flooded edges", moes("eyring", edges="flooded", slip_parameter=1.5), agreement=1e-5)
 
     def test_law_with_parameters_of_its_own(self):
@@ -90,7 +90,7 @@ class Sensitivities(TestCase):
             self.assertIsNone(constant[f"{name}_alpha"])
 
     def test_not_asked_for(self):
-        """Nothing of it in the result; a smooth contact has those of its film alone."""
+        """No response in the result; a smooth contact has the sensitivities of its film alone."""
         groups = moes("eyring")()
         self.assertNotIn("film_sensitivity_alpha", solve(**groups))
         del groups["waviness"]

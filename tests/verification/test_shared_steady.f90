@@ -1,4 +1,4 @@
-!> Responses about one steady state give the same bits whoever solved it, rescued or not.
+!> Responses about a steady state give the same bits however it was solved, rescued or not.
 program test_shared_steady
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
@@ -15,7 +15,8 @@ program test_shared_steady
    implicit none (type, external)
 
    integer, parameter :: few = 5, enough = 60     !! steps: the direct solve takes 6
-   real(dp), parameter :: short = 0.3_dp, long = 1.0_dp, longer = 2.0_dp   !! waves; 64 cells do not resolve the short ones
+   real(dp), parameter :: short = 0.3_dp, long = 1.0_dp, longer = 2.0_dp   !! waves; 64 cells do not resolve the short
+                                                                           !! waves
 
    type(test_t) :: test
    type(case_result_t) :: first, second, alone, alone_second
@@ -73,7 +74,7 @@ contains
       call test%check(allocated(shared%response%tangent) .and. .not. allocated(shared%response%linear%levels), 'room was made')
    end subroutine check_room
 
-   !> Two wavelengths of one contact, in `first` and `second`, each against the same case alone.
+   !> Two wavelengths of a contact, in `first` and `second`, each against the same case alone.
    subroutine pair(steps, wavelength, wavelength_second, method)
       integer, intent(in) :: steps
       real(dp), intent(in) :: wavelength, wavelength_second
@@ -93,8 +94,8 @@ contains
       character(len=*), intent(in) :: method
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), optional :: shared
-      real(dp), intent(in), optional :: slip               !! S; the oil is a Ree-Eyring one then,
-      character(len=*), intent(in), optional :: flow_law   !! or this one
+      real(dp), intent(in), optional :: slip               !! S; the oil is then a Ree-Eyring oil,
+      character(len=*), intent(in), optional :: flow_law   !! or this oil
       type(case_t) :: case
       type(case_plan_t) :: plan
       type(error_t), allocatable :: error

@@ -109,7 +109,7 @@ class Sliding(TestCase):
         self.assertLess(found["nonlinear_steps"], 10)
 
     def test_line_loads(self):
-        """A line contact by its load per length is that of its M and L."""
+        """A line contact given by its load per length equals the contact given by its M and L."""
         lubricant = {"flow_law": "eyring", "eyring_stress_pa": 5e6}
         groups = {"grid": {"cells_x": 256}, "solver": TIGHT, "lubricant": lubricant}
         given = solve(conditions={"radius_x_m": 0.01, "reduced_modulus_pa": 2.26e11, "load_n_per_m": 3e5, "slip_parameter": 1.2,

@@ -1,4 +1,4 @@
-"""What the solver is checked by, on grids that a debug build gets through: run-time checks and sanitizers see every path.
+"""Checks of the solver, on grids that a debug build can run: run-time checks and sanitizers see every path.
 
 The independent solver's values on 65 x 65 points (see reference/README.md), and routes that must agree with each other.
 """

@@ -27,7 +27,7 @@ WAVES += [("longitudinal", 0.5), ("longitudinal", 1)]
 
 
 def contact(r, cells=16, **groups):
-    """M = 100, L = 12.05, D = 1 on so many cells per a; the grid's keys over those of DOMAIN."""
+    """M = 100, L = 12.05, D = 1 on so many cells per a; the grid's keys override DOMAIN."""
     grid = DOMAIN | {"cells_x": round(4.5*cells), "cells_y": 4*cells} | groups.pop("grid", {})
     inlet = groups.pop("inlet", {})
     if r:
@@ -79,7 +79,7 @@ def extrapolated(r, wave):
 
 class Starvation(TestCase):
     def test_film(self):
-        """R at mesh size 0 within 2 % of the other solver's; its error estimate covers what finer grids change."""
+        """R at mesh size 0 within 2 % of the other solver's; its error estimate covers the change on finer grids."""
         for r, (peer, _) in PEER.items():
             with self.subTest(r=r):
                 results = [contact(r, cells) for cells in (16, 32, 64)]
@@ -108,8 +108,9 @@ class Starvation(TestCase):
 
     @unittest.skipUnless(IS_LONG, "three grids of each contact: --long")
     def test_extrapolated_responses(self):
-        """Ad/Ai of little oil at mesh size 0 within 0.03 of the other solver's, and nearer what its film, too thin by its
-        meniscus of first order, makes of it: 0.02."""
+        """Ad/Ai of little oil at mesh size 0 within 0.03 of the other solver's, and within 0.02 after the correction
+        for its film, too thin by its meniscus of first order.
+        """
         for r, same in ((0.7, 0.671), (0.5, 0.4785)):
             apart, left = 0, 0
             for wave, peer in zip(WAVES, PEER[r][1], strict=True):
@@ -123,7 +124,7 @@ class Starvation(TestCase):
 
     @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
     def test_responses_of_the_same_film(self):
-        """Ad/Ai of little oil: its film is what the other solver has on its grid, where that is 3.5 and 4.5 % thin."""
+        """Ad/Ai of little oil: its film matches the other solver's on its grid, where it is 3.5 and 4.5 % too thin."""
         for r, same, within in ((0.7, 0.671, 0.01), (0.5, 0.4785, 0.02)):
             some = slice(1, None, 2 if IS_LONG else 4)
             ratios, film = responses(same, 64, WAVES[some])
@@ -180,7 +181,9 @@ class Starvation(TestCase):
 
     @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
     def test_oil(self):
-        """What enters leaves, to the tolerance; what leaves behind the contact is what its film and its sides pass."""
+        """Inflow equals outflow, to the tolerance; the outflow behind the contact is the flow of its film and its
+        sides.
+        """
         with tempfile.TemporaryDirectory() as folder:
             groups = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1},
                       "grid": DOMAIN | {"cells_x": 72, "cells_y": 64}, "inlet": {"oil_over_flooded": 0.7}}
@@ -195,7 +198,7 @@ class Starvation(TestCase):
         self.assertAlmostEqual(share, 1 - result["side_flow"], delta=1e-6)
         self.check_close(offered[0], 0.7*result["flooded_central_film"], 0.3, "the layer offered is near r times the flooded film")
         self.assertLess(behind[0], offered[0])              # the contact pushes oil aside
-        self.assertGreater(max(behind), 1.1*offered[0])     # and it piles up beside the track
+        self.assertGreater(max(behind), 1.1*offered[0])     # it piles up beside the track
         self.assertTrue(0 < content.min() <= content.max() <= 1)
         self.assertEqual(abs(pressure[:, -3:]).max(), 0)
         for column in (-3, -2, -1):                         # behind the contact, to the last node
@@ -228,7 +231,7 @@ class Starvation(TestCase):
 
     @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
     def test_gap_in_the_layer(self):
-        """A gap of one a with a tenth of the oil thins the film to about that, which then is as before."""
+        """A gap of length a with a tenth of the oil thins the film to about a tenth; then the film recovers."""
         with tempfile.TemporaryDirectory() as folder:
             groups = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1},
                       "grid": DOMAIN | {"cells_x": 72, "cells_y": 32},
@@ -242,7 +245,9 @@ class Starvation(TestCase):
         self.check_close(film[-1], film[0], 5e-3, "after the gap")
 
     def test_profile(self):
-        """A profile of ones is no profile; a groove in it thins the film; one that is not even takes the whole domain."""
+        """A constant profile of 1 changes nothing; a groove thins the film; an asymmetric profile takes the whole
+        domain.
+        """
         def with_profile(rows):
             with tempfile.TemporaryDirectory() as folder:
                 Path(folder, "layer.csv").write_text("y_over_b,layer_over_given\n" + "\n".join(rows) + "\n")
@@ -282,7 +287,9 @@ class Starvation(TestCase):
         self.check_close(fifth["harmonic_ratio"], plain["harmonic_ratio"], 1e-6, "Ad/Ai")
 
     def test_waves_after_a_change(self):
-        """Ad/Ai behind a gap in the layer is that without one, within what it is said to be off; an early end is warned of."""
+        """Ad/Ai behind a gap in the layer equals the value without a gap, within its estimated error; an early end
+        gives a warning.
+        """
         wavy = {"waviness": waves("transverse", 2, "transient", 0.05), "solver": {"error_estimate": "model"},
                 "grid": {"cells_x": 36, "cells_y": 32}}
         plain = contact(1.3, **wavy)
@@ -299,7 +306,7 @@ class Starvation(TestCase):
         report(f"behind a gap {100*apart:.2f} % apart, said {100*behind['ratio_error_settling']:.2f} %")
 
     def test_layer_in_metres(self):
-        """A layer in metres is the oil over that of the flooded contact that it comes to."""
+        """A layer in metres gives the corresponding oil over the flow of the flooded contact."""
         ball = {"radius_x_m": 0.0127, "radius_y_m": 0.0127, "reduced_modulus_pa": 2.26e11, "load_n": 40, "mean_speed_m_per_s": 2,
                 "viscosity_pa_s": 0.05}
         groups = {"conditions": ball, "grid": {"cells_x": 64, "cells_y": 64}}
@@ -328,7 +335,7 @@ class Starvation(TestCase):
                 self.assertIn(word, str(refused.exception).rsplit("ehlwave-case:", 1)[-1])
 
     def test_cost(self):
-        """The starved solve takes at most 2.5 times the counted work of the flooded one; measured 1.2 to 2.1.
+        """The starved solve takes at most 2.5 times the counted work of the flooded solve; measured 1.2 to 2.1.
 
         Of the last, the menisci are far from the contact, and the gap of the last two is full from the inlet edge on."""
         ratios = [contact(r, 32)["starved_over_flooded_work"] for r in (2, 1, 0.6, 0.3)]
@@ -339,7 +346,7 @@ class Starvation(TestCase):
         self.assertLess(max(ratios), 2.5)
 
     def test_oil_that_thins(self):
-        """An oil that thins costs no more, and one of a high stress has the film of a Newtonian one."""
+        """A shear-thinning oil costs no more, and with a high stress it has the Newtonian film."""
         films = []
         for oil in ({}, {"eyring_stress_pa": 1e16}, {"eyring_stress_pa": 5e6}):
             lubricant = {"flow_law": "eyring", **oil} if oil else {}

@@ -1,4 +1,4 @@
-"""Stresses below a rough contact, predicted from the atlas, against those of a march of the same trace."""
+"""Stresses below a rough contact, predicted from the atlas, against a march of the same trace."""
 
 import sys
 import unittest
@@ -27,7 +27,7 @@ CONDITIONS = {"radius_x_m": 12.5e-3, "radius_y_m": 12.5e-3, "reduced_modulus_pa"
               "mean_speed_m_per_s": 0.5, "viscosity_pa_s": 0.05}
 SLENDER = CONDITIONS | {"radius_y_m": 0.03, "load_n": 60, "mean_speed_m_per_s": 1.1}
 EYRING_PA = 5e6
-POINTS, LENGTH = 320, 4.5     # of the trace, LENGTH in units of a
+POINTS, LENGTH = 320, 4.5     # samples of the trace, LENGTH in units of a
 CYCLES = 1e8
 
 
@@ -64,7 +64,8 @@ class Stress(FolderTest):
             inner = over.sel(x=slice(-INNER*a, INNER*a))
             shear = float(largest_shear({name: inner[name] - inner[name + "_smooth"] for name in COMPONENTS}).max())
             way = float(over["time"][-1])
-            # Points that come from before the contact and have left it in the end; of the rough body those of the trace.
+            # Points that come from before the contact and have left it in the end; on the rough body the points of the
+            # trace.
             starts = np.linspace(1.1*a - own*way, -1.4*a, 160)
             factor = dang_van_factor(point_histories(over, own, starts), float(fatigue_shear(CYCLES)))
             found = float(factor.max())

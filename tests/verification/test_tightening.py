@@ -1,4 +1,4 @@
-"""What must not change a result, or must change it by a known order."""
+"""Settings that must not change a result, or must change it by a known order."""
 
 import math
 import unittest
@@ -57,7 +57,7 @@ class Tightening(TestCase):
         self.assertGreater(deviations[0], deviations[1])
 
     def test_load_step(self):
-        """After a step of the load the film soon settles by force balance; a mass swings on it, which is said."""
+        """After a step of the load the film soon settles by force balance; a mass swings on it, with a warning."""
         step = {"load_factor": 1.5, "end_time": 7.5}
         settled = wavy(48, wavelength=1, dynamics=step)
         swinging = wavy(48, wavelength=1, dynamics=step | {"load_balance": "equation_of_motion", "natural_frequency": 4})

@@ -1,4 +1,4 @@
-"""The film under slip is a sum of two waves: closed forms against what the film is split into, and a march against both."""
+"""The film under slip is a sum of two waves: closed forms against the split film, and a march against both."""
 
 import cmath
 import math
@@ -65,7 +65,7 @@ class TwoWaves(TestCase):
         self.assertLess(abs(waves(result, "attenuated") - waves(result, "attenuated_formula")), 0.02)
 
     def test_limit_of_the_stress(self):
-        """Where the stress is at its limit, what is left of its slope moves the oil: |a| = 0.98, 0.23 without it."""
+        """Where the stress is at its limit, the rest of its slope moves the oil: |a| = 0.98, 0.23 without it."""
         result = solve(m=50, l=12.05, d=0, conditions={"slip_parameter": 1.5, "reduced_modulus_pa": 226e9},
                        lubricant={**OIL, "shear_limit_over_pressure": 0.05}, waviness={**WAVE, "wavelength_over_a": 0.5},
                        grid={"cells_x": 512})
@@ -95,7 +95,9 @@ class TwoWaves(TestCase):
                 self.assertLess(result["two_wave_misfit"], 0.01)
 
     def test_march_is_the_sum_of_both(self):
-        """Rms over |X| <= 0.5 over that of the pattern; wave numbers and a in closed form, c what a leaves of the response at X = 0."""
+        """Rms over |X| <= 0.5, relative to the pattern; wave numbers and a in closed form, c the rest of the response
+        at X = 0.
+        """
         kx = 2*math.pi
         for slip in (1.3, 0.7):
             with self.subTest(slip=slip):

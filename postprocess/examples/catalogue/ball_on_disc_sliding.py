@@ -1,4 +1,4 @@
-"""The same with a steel disc and a slide-to-roll ratio of 0.3: the oil needs a flow law."""
+"""A ball on a steel disc at a slide-to-roll ratio of 0.3: the oil needs a flow law."""
 
 import ehlwave
 

@@ -1,4 +1,4 @@
-"""The contact of the page, entered in one of some ways."""
+"""The contact of the page, entered in one of several ways."""
 
 from typing import Any
 
@@ -27,7 +27,7 @@ ISOTHERMAL, WITH_HEAT = "isothermal", "with heat (oil by data sheet)"
 
 
 class BodyForm:
-    """One of two bodies."""
+    """One of the two bodies."""
 
     def __init__(self, name: str, radius: str) -> None:
         """Make the fields."""
@@ -52,12 +52,12 @@ class BodyForm:
 
     @property
     def widgets(self) -> list[Any]:
-        """Return what a user changes."""
+        """Return the fields to edit."""
         return [self.material, *widgets_of([*self.numbers, self.speed])]
 
 
 class ContactForm:
-    """A contact, entered in one of some ways, and its oil."""
+    """A contact, entered in one of several ways, and its oil."""
 
     def __init__(self) -> None:
         """Make the fields."""
@@ -96,7 +96,7 @@ class ContactForm:
         return [*each, *self.oil.shown()]
 
     def given(self) -> Given:
-        """Return what was entered, SI."""
+        """Return the input, SI."""
         found = self.oil.given()
         if self.kind.value != BODIES:
             keys = given_by(self.fields[self.kind.value])
@@ -109,7 +109,7 @@ class ContactForm:
 
     @property
     def widgets(self) -> list[Any]:
-        """Return what a user changes."""
+        """Return the fields to edit."""
         every = [*self.loads]
         for each in self.fields.values():
             every += each

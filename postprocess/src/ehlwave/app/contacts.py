@@ -1,6 +1,6 @@
-"""From what the page asks for to a contact, and to the Python that makes it again.
+"""From the input of the page to a contact, and to the Python code that makes it.
 
-The one place of the page that knows how contacts and oils are made.
+The only module of the page that makes contacts and oils.
 """
 
 from collections.abc import Mapping
@@ -12,21 +12,21 @@ from ehlwave.contact.data_sheet import Oil
 from ehlwave.operating_point import Contact
 
 Numbers = Mapping[str, Any]
-"""Numbers in SI by keys; what is no number as it was typed."""
+"""Numbers in SI by keys; other texts unchanged."""
 
 
 @dataclass(frozen=True)
 class Given:
-    """What was entered."""
+    """Input of the page."""
 
     keys: Numbers
-    """Of :class:`ehlwave.Contact`, or of its ``from_bodies``."""
+    """Arguments of :class:`ehlwave.Contact`, or of its ``from_bodies``."""
     bodies: tuple[Numbers, Numbers] | None = None
-    """Arguments of :class:`ehlwave.Body`, the rough one first."""
+    """Arguments of :class:`ehlwave.Body`, the rough body first."""
     oil: Numbers = field(default_factory=dict)
     """Arguments of `maker`."""
     maker: str = ""
-    """Of :class:`ehlwave.Oil`; the oil stands in `keys` where there is none."""
+    """Arguments of :class:`ehlwave.Oil`; without any, `keys` contains the oil."""
 
 
 def made(given: Given) -> Contact:
@@ -57,6 +57,6 @@ def source(given: Given) -> str:
 def call(
     start: str, given: Numbers, first: list[str] | None = None, last: list[str] | None = None
 ) -> str:
-    """Return a call, one argument a line."""
+    """Return a call, an argument per line."""
     words = [*(first or []), *(f"{key}={value!r}" for key, value in given.items()), *(last or [])]
     return f"{start}(\n" + "".join(f"    {word},\n" for word in words) + ")\n"

@@ -1,7 +1,7 @@
-"""What the server answers before a session begins: names, origins, the page, full houses.
+"""Answers of the server before a session begins: names, origins, the page, full houses.
 
-A page is the same for everybody but for its token, so it is made once. A session, some megabytes of
-widgets, begins when a browser opens the socket of its page.
+Apart from its token a page is the same for everybody, so it is made once. A session, some megabytes
+of widgets, begins when a browser opens the socket of its page.
 """
 
 import asyncio
@@ -64,7 +64,7 @@ class _Page(DocHandler):
         return session
 
     def write(self, chunk: Any) -> None:  # noqa: ANN401
-        """Keep what is made, send the rest."""
+        """Keep cached parts, send the rest."""
         if self._is_first:
             self._written += chunk
         else:
@@ -87,7 +87,7 @@ class _Refused(RequestHandler):
 
 @dataclass
 class _Foreign(Matcher):
-    """Matches requests under a name that is not the server's, or from a page of another one."""
+    """Matches requests under a name that is not the server's, or from a page of another server."""
 
     names: Collection[str]
 
@@ -108,12 +108,12 @@ class _Full(Matcher):
 
 
 def guard(tornado: Any, names: Collection[str], is_full: Callable[[], bool]) -> None:  # noqa: ANN401
-    """Put the answers before those of Panel.
+    """Put these answers before Panel's.
 
     Parameters
     ----------
     tornado : BokehTornado
-        With one application, at ``/``.
+        With a single application, at ``/``.
     names : collection of str
         Hosts that browsers reach the server by.
     is_full : callable

@@ -32,7 +32,7 @@ HEAT = {"isothermal": False, "with heat (oil by data sheet)": True}
 
 
 class ElementTab:
-    """Fields of one kind of elements, and the report."""
+    """Fields of a kind of elements, and the report."""
 
     def __init__(self, name: str, pools: Pools) -> None:
         """Make the fields."""

@@ -1,4 +1,4 @@
-"""The tabs of the page: one contact, a bearing, a gear, a cam."""
+"""The tabs of the page: a contact, a bearing, a gear, a cam."""
 
 from typing import Any
 
@@ -20,7 +20,7 @@ def with_elements(inputs: Any, answers: Any, pools: Pools) -> tuple[Any, Any]:  
     Parameters
     ----------
     inputs, answers : object
-        Of one contact.
+        Tab of a contact.
     pools : Pools
         Threads of the server.
     """

@@ -1,4 +1,4 @@
-"""The oil of the page: its numbers, what a data sheet says, or a name."""
+"""The oil of the page: its numbers, a data sheet, or a name."""
 
 from typing import Any
 
@@ -11,7 +11,7 @@ NUMBERS, BY_GRADE, BY_NAME = "Viscosity and coefficient", "ISO grade or data she
 
 
 class OilForm:
-    """An oil: its numbers, what a data sheet says, or a name."""
+    """An oil: its numbers, a data sheet, or a name."""
 
     def __init__(self) -> None:
         """Make the fields."""
@@ -58,7 +58,7 @@ class OilForm:
         return [*parts[self.chosen], *self.flows[self.flow.value]]
 
     def given(self) -> dict[str, Any]:
-        """Return keys, oil and maker of what is given."""
+        """Return keys, oil and maker of the input."""
         law = given_by(self.flows[self.flow.value])
         found = given_by([one for one in self.shown() if one.key not in law])
         if self.chosen == NUMBERS:
@@ -69,7 +69,7 @@ class OilForm:
 
     @property
     def widgets(self) -> list[Any]:
-        """Return what a user changes."""
+        """Return the fields to edit."""
         every = [self.viscosity, *self.numbers, *self.sheet, self.temperature]
         for each in self.flows.values():
             every += each

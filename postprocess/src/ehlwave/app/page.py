@@ -1,4 +1,4 @@
-"""One page for one session: state is kept here and nowhere else."""
+"""A page of a session: the only place of its state."""
 
 import asyncio
 import io
@@ -23,7 +23,7 @@ AT_BOTTOM: dict[str, Any] = {
     "sizing_mode": "stretch_width",
     "styles": {"position": "sticky", "bottom": "0", "z-index": "10", "background": "white"},
 }
-"""Of what stays in sight while the fields above it are scrolled."""
+"""Style of the part that stays in sight while the fields above it are scrolled."""
 
 
 class Page:

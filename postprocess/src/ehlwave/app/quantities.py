@@ -18,7 +18,7 @@ class Quantity:
     """A number with a unit."""
 
     key: str
-    """Of the input files, or an argument."""
+    """Key of the input files, or an argument."""
     label: str
     """Beside the field."""
     example: str = ""
@@ -30,7 +30,7 @@ class Quantity:
 
 
 def in_si(text: str, unit: int | None) -> float | str:
-    """Return a number in SI to its last digit; what is no number as it is, for the checks to name.
+    """Return a number in SI to its last digit; other texts unchanged, for the checks to name.
 
     12.7 mm are 0.0127 m, as typed there, and not 0.012700000000000001 m. `unit` is a power of ten;
     None: degrees Celsius.
@@ -44,7 +44,7 @@ def in_si(text: str, unit: int | None) -> float | str:
 
 
 def body(radius: str) -> tuple[Quantity, ...]:
-    """Return the radii of a body, and what a material stands for."""
+    """Return the radii of a body, and the properties of a material."""
     flat = "Blank: flat. Negative: hollow."
     return (
         Quantity("radius_x_m", "Radius along rolling", radius, LENGTHS, flat),

@@ -1,4 +1,4 @@
-"""What a page saves: JSON with everything it answered, and a script that repeats it."""
+"""Downloads of a page: JSON with all its answers, and a script that repeats them."""
 
 import json
 import math

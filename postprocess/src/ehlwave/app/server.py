@@ -29,7 +29,7 @@ UNUSED_MS = 120_000
 LOOPBACK = ("127.0.0.1", "localhost")
 
 SERVED = r"/|/ws|/favicon\.ico|/static/(js|extensions/panel)(/([\w@^.+-]|%5E)+)+"
-"""Paths that there are: the page, its socket, and what Panel and Bokeh bring for browsers."""
+"""Served paths: the page, its socket, and files of Panel and Bokeh for browsers."""
 
 
 class _Refused(RequestHandler):
@@ -84,8 +84,8 @@ def make_server(address: str, port: int, hosts: Sequence[str], pools: Pools) -> 
         document = pn.state.curdoc
         session = document.session_context.id
         sessions.add(session)
-        # Told before widgets are made: sessions begun anew by a socket have no page that tells it,
-        # and would have their styles from elsewhere.
+        # Set before widgets are made: sessions restarted by a socket have no page that sets it,
+        # and would load their styles from elsewhere.
         document.template_variables["dist_url"] = LOCAL_DIST
         document.on_session_destroyed(lambda _: sessions.discard(session))
         return Page(pools).template()
@@ -106,13 +106,13 @@ def make_server(address: str, port: int, hosts: Sequence[str], pools: Pools) -> 
             f"app: cannot listen on {address}, port {port} ({error.strerror or error}): name "
             "others by --address and --port"
         ) from error
-    # Looked at before all others: the servers of Panel know more paths than the page needs.
+    # Checked before all others: Panel serves more paths than the page needs.
     server._tornado.add_handlers(".*", [(rf"(?!(?:{SERVED})$)(.*)|(.*\.\..*)", _Refused)])
     guard(server._tornado, {name.lower() for name in names}, lambda: len(sessions) >= MOST_SESSIONS)
     return server
 
 
 def _free_port(address: str) -> int:
-    """Return a port that is free: origins of sockets are known by it before the server has one."""
+    """Return a port that is free: origins of sockets need it before the server has one."""
     with socket.create_server((address, 0)) as found:
         return int(found.getsockname()[1])

@@ -1,4 +1,4 @@
-"""Answers as HTML: one line first, then numbers with their errors, then what is not judged."""
+"""Answers as HTML: a line first, then numbers with their errors, then parts not judged."""
 
 import base64
 import math
@@ -48,7 +48,7 @@ def headline(answer: Answer) -> str:
 
 
 def numbers(answer: Answer) -> str:
-    """Return tables of everything that the film and the statistics of the surface say."""
+    """Return tables of all film results and statistics of the surface."""
     heated = None if answer.film is None else answer.film.heated
     parts: list[tuple[str, Any]] = [("Smooth contact", answer.film), ("With heat", heated)]
     if answer.found is not None:
@@ -64,7 +64,7 @@ def rows(part: Any) -> Iterable[tuple[str, str]]:  # noqa: ANN401 - any dataclas
     for one in fields(part):
         value = getattr(part, one.name)
         if one.name == "warnings":
-            continue  # they stand above the tables
+            continue  # they are above the tables
         if isinstance(value, Mapping):
             yield from ((f"{_words(one.name)}: {key}", _share(v)) for key, v in value.items())
         elif value is not None and not is_dataclass(value):
@@ -84,7 +84,7 @@ def table(title: str, lines: Iterable[tuple[str, str]]) -> str:
 
 
 def doubts(found: Deformed) -> str:
-    """Return what is not judged."""
+    """Return the parts not judged."""
     lines = [
         f"{group.components} component(s) {group.reason}: {100 * group.share_before:.3g} % of the "
         f"mean square before, {100 * group.share_after:.3g} % after"
@@ -115,7 +115,7 @@ def pictures(answer: Answer) -> str:
 
 
 def _width(png: bytes) -> int:
-    """Return the width in pixels that a picture is shown at: its head says how many it has."""
+    """Return the display width of a picture in pixels, from its header."""
     return round(int.from_bytes(png[16:20], "big") / DOTS_PER_INCH * SHOWN_PER_INCH)
 
 
@@ -152,7 +152,7 @@ def _share(share: float) -> str:
 
 
 def failure(message: str, shown: Iterable[Any]) -> str:
-    """Return an error as the command line says it, and the field that it names."""
+    """Return an error as on the command line, and the field that it names."""
     labels = {one.key: one.label for one in shown}
     named = next((labels[word] for word in re.findall(r"\w+", message) if word in labels), "")
     where = f"<p>Field: {escape(named)}</p>" if named else ""
@@ -160,5 +160,5 @@ def failure(message: str, shown: Iterable[Any]) -> str:
 
 
 def old(text: str) -> str:
-    """Return an answer, marked as one to what was there before something was changed."""
+    """Return an answer, marked as outdated after a change of the input."""
     return f"<p class='old'>Something was changed: press Compute again.</p>{text}"

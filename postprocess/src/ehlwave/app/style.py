@@ -1,11 +1,11 @@
-"""How the page looks. Everything stands in the page itself: nothing is loaded from elsewhere."""
+"""Style of the page. Everything is part of the page itself: nothing is loaded from elsewhere."""
 
 POLICY = (
     "default-src 'self'; script-src 'self' 'unsafe-inline' blob:; "
     "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self' data:; "
     "connect-src 'self' data: blob:; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
-"""What a browser may load: the server's own, which the browser keeps to."""
+"""Allowed sources of a browser: the server itself."""
 
 TEMPLATE = """
 {% extends base %}

@@ -1,4 +1,4 @@
-"""The measured surface of the page, and what its file does not say."""
+"""The measured surface of the page, and data that its file lacks."""
 
 from typing import Any
 
@@ -35,7 +35,7 @@ UNITS = (AS_FILE, "m", "mm", "um", "nm")
 
 
 class SurfaceForm:
-    """A measured surface, and what its file does not say."""
+    """A measured surface, and data that its file lacks."""
 
     def __init__(self) -> None:
         """Make the fields."""
@@ -93,14 +93,14 @@ class SurfaceForm:
 
     @property
     def widgets(self) -> list[Any]:
-        """Return what a user changes."""
+        """Return the fields to edit."""
         chosen = [self.length, self.height, self.axis, self.form, self.ends, self.by]
         chosen += [self.decimal, self.missing, self.channel, self.file]
         return [*chosen, *widgets_of([self.step, *self.cutoffs])]
 
 
 def task_of(contact: ContactForm, surface: SurfaceForm) -> Task:
-    """Return what is asked.
+    """Return the request.
 
     Raises SurfaceError if a file was refused, or a number of the surface is none.
     """

@@ -1,4 +1,4 @@
-"""From the numbers and the trace of a page to its answer; knows nothing of the page."""
+"""From the numbers and the trace of a page to its answer; independent of the page."""
 
 import io
 import warnings
@@ -22,12 +22,12 @@ from ehlwave.surface.read import ReadOptions
 
 DOTS_PER_INCH = 200
 _DRAWING = Lock()
-"""Settings of Matplotlib are those of the whole process."""
+"""Settings of Matplotlib apply to the whole process."""
 
 
 @dataclass(frozen=True)
 class Task:
-    """What a page asks."""
+    """Request of a page."""
 
     given: Given
     """The contact as it was entered."""
@@ -41,16 +41,16 @@ class Task:
 
 @dataclass(frozen=True)
 class Answer:
-    """What the page shows.
+    """Results on the page.
 
     Attributes
     ----------
     task : Task
-        What was asked.
+        Request.
     contact : Contact
-        What answered.
+        Source of the answer.
     film : Film or None
-        Of the smooth contact; None: it lies outside the atlas, `outside` says by what.
+        Film of the smooth contact; None: it lies outside the atlas, `outside` has the reason.
     outside : str
         Why there is no film.
     found : Deformed or None
@@ -68,7 +68,7 @@ class Answer:
 
     @property
     def warnings(self) -> list[str]:
-        """Doubts about the numbers, those of the film first."""
+        """Doubts about the numbers, first about the film."""
         of_film = [] if self.film is None else self.film.warnings
         of_surface = [] if self.found is None else self.found.warnings
         return list(dict.fromkeys([*of_film, *of_surface]))
@@ -77,8 +77,7 @@ class Answer:
 def answered(task: Task) -> Answer:
     """Return the answer.
 
-    Raises ResultsError if something was entered that cannot be used; the message is that of the
-    command line.
+    Raises ResultsError if an input cannot be used, with the message of the command line.
     """
     contact = made(task.given)
     found, pictures = None, {}

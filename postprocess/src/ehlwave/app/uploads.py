@@ -15,13 +15,13 @@ from ehlwave.writing import Writer
 
 LARGEST_MB = 16
 LARGEST_BYTES = LARGEST_MB * 10**6
-"""Of a file."""
+"""Limit of a file."""
 
 UNPACKED_MB = 64
-"""Of what a packed file holds."""
+"""Limit of the content of a packed file."""
 
 MOST_POINTS = 2**22
-"""Of a surface that the page judges; the command line takes larger ones."""
+"""Limit of a surface on the page; the command line takes larger surfaces."""
 
 LONGEST_NAME = 100
 
@@ -35,7 +35,7 @@ class Upload:
 
 
 def file_name(name: str) -> str:
-    """Return the last part of a name, as one that a file of ours can have."""
+    """Return the last part of a name, as a safe file name."""
     last = PurePosixPath(printable(name).replace("\\", "/")).name
     return last.lstrip(".")[-LONGEST_NAME:].lstrip() or "trace"
 
@@ -54,7 +54,7 @@ def read_upload(upload: Upload, options: ReadOptions) -> Surface:
             _refuse_unpacked(path)
             surface = read_surface(path, options)
         except ResultsError as error:
-            # The command line says the name that it was given, too.
+            # The command line also shows the given name.
             raise SurfaceError(str(error).replace(f"{folder}/", "")) from None
     if surface.height.size > MOST_POINTS:
         raise SurfaceError(

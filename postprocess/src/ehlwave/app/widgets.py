@@ -9,7 +9,7 @@ from ehlwave.app.quantities import Quantity, in_si
 from ehlwave.app.uploads import LARGEST_BYTES, LARGEST_MB, Upload, too_large
 
 CHUNK_BYTES = 2**20
-"""Of a file, in one message of the browser."""
+"""Parts of a file, per message of the browser."""
 
 _TIGHT = [
     "input, select { padding: 3px 8px; min-height: 2.1em; font-size: 14px; }"
@@ -17,7 +17,7 @@ _TIGHT = [
 ]
 _UNIT = ["div { font-size: 14px; padding-left: 4px; color: #33434d; white-space: nowrap; }"]
 HALF = {"flex": "1 1 0", "min-width": "0"}
-"""Of a line of two."""
+"""Half of a line of two."""
 
 
 class NumberField:
@@ -60,7 +60,7 @@ class NumberField:
 
     @property
     def widgets(self) -> list[Any]:
-        """Return what a user changes."""
+        """Return the fields to edit."""
         return [self.text, self.unit] if len(self.units) > 1 else [self.text]
 
 
@@ -70,12 +70,12 @@ def given_by(fields: Iterable[NumberField]) -> dict[str, Any]:
 
 
 def widgets_of(fields: Iterable[NumberField]) -> list[Any]:
-    """Return what a user changes of fields."""
+    """Return the fields to edit."""
     return [widget for one in fields for widget in one.widgets]
 
 
 class FileField(pn.widgets.FileDropper):
-    """One file of limited size, the limit kept by the server, too."""
+    """A file of limited size; the server keeps the limit, too."""
 
     def __init__(self, **options: Any) -> None:  # noqa: ANN401
         """Make the widget."""
@@ -90,7 +90,7 @@ class FileField(pn.widgets.FileDropper):
         self.refused = ""
 
     def upload(self) -> Upload | None:
-        """Return the file, if there is one."""
+        """Return the file, if any."""
         for name, data in self.value.items():
             return Upload(name, data.encode() if isinstance(data, str) else data)
         return None
@@ -125,7 +125,7 @@ def select(label: str, options: Any) -> pn.widgets.Select:  # noqa: ANN401 - lis
 
 
 def text_field(label: str, hint: str) -> pn.widgets.TextInput:
-    """Return a field for a word; `hint` stands in it while it is empty."""
+    """Return a field for a word; an empty field shows `hint`."""
     return pn.widgets.TextInput(
         name=label,
         placeholder=hint,
@@ -150,7 +150,7 @@ def in_rows(views: Iterable[Any], length: int = 2, **options: Any) -> pn.Column:
 
 
 def column(*views: Any) -> pn.Column:  # noqa: ANN401
-    """Return views one below the other."""
+    """Return views in a column."""
     return pn.Column(*views, sizing_mode="stretch_width")
 
 

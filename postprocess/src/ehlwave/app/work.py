@@ -1,4 +1,4 @@
-"""Threads that answer: few, and large surfaces in one of their own, so that small ones pass."""
+"""Threads that answer: few, and a separate thread for large surfaces, so that small ones pass."""
 
 import os
 from concurrent.futures import ThreadPoolExecutor
@@ -24,6 +24,6 @@ class Pools:
         return self.small if size <= SMALL_BYTES else self.large
 
     def close(self) -> None:
-        """Let what runs end, and begin nothing more."""
+        """Finish running work, and begin no more."""
         for pool in (self.small, self.large):
             pool.shutdown(wait=False, cancel_futures=True)

@@ -31,8 +31,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        0, also where the reader of the output has seen enough; with a message on standard error 2
-        for what cannot be used or must not be replaced, 3 for output that cannot be written.
+        0, also when the reader of the output closed it. 2 with a message for unusable input or
+        protected files. 3 with a message for output that cannot be written.
     """
     with plain_text_only():
         options = argparse.Namespace()

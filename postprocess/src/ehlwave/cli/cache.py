@@ -13,7 +13,7 @@ OF_WAVES = ("orientation", "response", "amplitude_over_film", "mean_rise", "sche
 
 
 def run_cache(options: argparse.Namespace) -> None:
-    """Print what the cache holds, or clear it."""
+    """Print the content of the cache, or clear it."""
     folder = cache_folder()
     if options.clear:
         removed = clear()

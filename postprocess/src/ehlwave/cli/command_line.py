@@ -1,4 +1,4 @@
-"""What every command line has in common: nearest words, names of options, slide-to-roll ratios."""
+"""Common parts of command lines: nearest words, names of options, slide-to-roll ratios."""
 
 import argparse
 import re
@@ -11,14 +11,14 @@ from ehlwave.inputs.slip import RATIO
 
 
 class Parser(argparse.ArgumentParser):
-    """A parser that asks for the nearest command or option where one is unknown."""
+    """A parser that suggests the nearest command or option for an unknown word."""
 
     def print_help(self, file: TextIO | None = None) -> None:  # type: ignore[override]
         """Print the help; raises OSError where it cannot be written, as any output does."""
         print(self.format_help(), end="", file=file or sys.stdout, flush=True)
 
     def error(self, message: str) -> NoReturn:
-        """Say what is wrong and what is near, and end with status 2."""
+        """Print the error and the nearest word, and end with status 2."""
         chosen = re.search(r"invalid choice: '([^']*)' \(choose from (.*)\)", message)
         if chosen:
             message += did_you_mean(chosen[1], re.findall(r"'([^']+)'", chosen[2]))
@@ -48,7 +48,7 @@ def add_ratio(parser: argparse.ArgumentParser) -> None:
 
 
 def with_ratio(options: argparse.Namespace) -> None:
-    """Put a slide-to-roll ratio, where one is given, among the words of the conditions."""
+    """Put a slide-to-roll ratio, if given, among the words of the conditions."""
     ratio = getattr(options, RATIO, None)
     if ratio is not None and getattr(options, "conditions", None):
         options.conditions = [*options.conditions, f"{RATIO}={ratio}"]

@@ -1,4 +1,4 @@
-"""``ehlwave bearing``, ``gear``, ``cam`` and ``rig``: what they do."""
+"""Actions of ``ehlwave bearing``, ``gear``, ``cam`` and ``rig``."""
 
 import argparse
 import sys

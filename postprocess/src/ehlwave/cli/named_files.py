@@ -1,4 +1,4 @@
-"""What a command reads: files that its words name, and those that its input files name.
+"""Inputs of a command: files in its words, and files in its input files.
 
 Needs the standard library alone.
 """
@@ -12,14 +12,14 @@ from ehlwave.inputs import namelist_values
 from ehlwave.inputs.namelist import read_namelist
 
 OUTPUTS = ("output", "csv", "parquet", "netcdf", "vtk")
-"""Options that name what is written; every other path is an input."""
+"""Options that name output files; every other path is an input."""
 
 
 def inputs(options: argparse.Namespace) -> Iterator[str | Path]:
     """Return whatever can name a file that is read: words of the command line, texts in its files.
 
-    Outputs are none of the words. Texts are those of input files of the programs, whose keys can
-    name files.
+    Outputs are not among the words. Texts are input files of the programs, whose keys can name
+    files.
     """
     for name, value in vars(options).items():
         if name in OUTPUTS:
@@ -36,6 +36,6 @@ def _texts_in(path: Path) -> Iterator[str]:
     try:
         entries = read_namelist(path).entries.values() if path.is_file() else ()
     except (OSError, SurfaceError):
-        return  # whoever uses the file says what is wrong with it
+        return  # the reader of the file reports its problems
     for entry in entries:
         yield from (namelist_values.word(value) for value in entry.values if value.is_quoted)

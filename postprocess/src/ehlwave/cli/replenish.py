@@ -1,4 +1,4 @@
-"""``ehlwave replenish``: what it does."""
+"""Actions of ``ehlwave replenish``."""
 
 import argparse
 import contextlib
@@ -34,7 +34,7 @@ def run_replenish(options: argparse.Namespace) -> None:
     for notice in notices:
         print(f"ehlwave: note: {notice.message}", file=sys.stderr)
     Track(conditions, options.track_length)
-    with contextlib.suppress(RangeError):  # the film of the formula stays, and the text says so
+    with contextlib.suppress(RangeError):  # the film of the formula applies, and the text notes it
         conditions = with_film(conditions, film_for(Asked(conditions), "laws"))
     table = replenish(conditions, options.track_length, options.overrollings)
     document = summary(table, conditions, options.track_length)
@@ -48,7 +48,7 @@ def run_replenish(options: argparse.Namespace) -> None:
 def summary(
     table: pd.DataFrame, conditions: Conditions, track_length_m: float
 ) -> dict[str, object]:
-    """Return inputs, what follows from them, and the rows."""
+    """Return inputs, derived values, and the rows."""
     track = Track(conditions, track_length_m)
     return {
         "oil_over_flooded": conditions.oil_over_flooded,
@@ -63,7 +63,7 @@ def summary(
 
 
 def text_of(table: pd.DataFrame, document: dict[str, object]) -> str:
-    """Return what a user reads: a row a decade of overrollings, and what it means."""
+    """Return the report: a row per decade of overrollings, and its meaning."""
     tens = np.floor(np.log10(table["overrollings"])).diff().fillna(1) > 0
     lines = [
         f"Flooded film {document['flooded_film_m'] * UM:.4g} um; film of the first overrolling: "  # type: ignore[operator]
@@ -89,7 +89,7 @@ def text_of(table: pd.DataFrame, document: dict[str, object]) -> str:
 
 
 def replenish_figure(table: pd.DataFrame) -> "Figure":
-    """Draw the film over the flooded one against overrollings, with bands."""
+    """Draw the film over the flooded film against overrollings, with bands."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(5.2, 3.4), layout="constrained")
@@ -98,7 +98,7 @@ def replenish_figure(table: pd.DataFrame) -> "Figure":
     both = "film_over_flooded"
     low, high = table[f"{both}_low"], table[f"{both}_high"]
     axes.fill_between(n, low, high, color="C0", alpha=0.25, lw=0, label="error of both")
-    # What either loss leaves alone lies on the curve of both over a part: it is drawn on top.
+    # A film by one loss alone partly coincides with the film by both: it is drawn on top.
     for name, label, style in (
         (both, "by both losses", "C0-"),
         ("inlet", "by the inlet alone", "C1--"),

@@ -1,4 +1,4 @@
-"""The commands on results files and files of cases: what they do."""
+"""Actions of the commands on results files and files of cases."""
 
 import argparse
 import sys
@@ -90,25 +90,25 @@ def run_refit(options: argparse.Namespace) -> None:
 
 
 def run_table(options: argparse.Namespace) -> None:
-    """Count cases by status and list the failed ones."""
+    """Count cases by status and list the failed cases."""
     print(tables.summary_text(read_results(options.results)))
 
 
 def run_export(options: argparse.Namespace) -> None:
-    """Write results, or fields of one case, for other programs."""
+    """Write results, or fields of a case, for other programs."""
     kinds = ("csv", "parquet", "netcdf", "vtk")
     targets = {kind: getattr(options, kind) for kind in kinds if getattr(options, kind)}
     print("\n".join(export(options.results, targets, options.writer)))
 
 
 def run_contact(options: argparse.Namespace) -> None:
-    """Draw film and pressure of one case."""
+    """Draw film and pressure of a case."""
     figure = contact_figure(read_contact(options.case))
     _write_picture(options, figure, options.case.stem)
 
 
 def run_plot(options: argparse.Namespace) -> None:
-    """Draw one case in um, GPa and us."""
+    """Draw a case in um, GPa and us."""
     figure = load("ehlwave.results.case_figures").case_figure(read_contact(options.case))
     _write_picture(options, figure, f"{options.case.stem}-case")
 

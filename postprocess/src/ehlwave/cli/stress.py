@@ -1,4 +1,4 @@
-"""``ehlwave stress``: what it does."""
+"""Actions of ``ehlwave stress``."""
 
 import argparse
 import json
@@ -22,6 +22,8 @@ OF_SURFACES = {
     "friction": None,
     "second": None,
     "smooth": None,
+    "by": None,
+    "table": None,
     "slide_to_roll_ratio": None,
     "form": FORM,
     "ends": WINDOWS[0],
@@ -42,7 +44,7 @@ def run_stress(options: argparse.Namespace) -> None:
 
 
 def _of_case(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: ANN401
-    """Judge a file of ``ehlwave-case``; return what was written."""
+    """Judge a file of ``ehlwave-case``; return the written files."""
     if not _is_hdf5(options.file):
         raise StressError(
             f"{options.file}: not a file of ehlwave-case --output; of a measured surface say what "
@@ -65,7 +67,7 @@ def _of_case(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: A
 
 
 def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: ANN401
-    """Judge a measured surface; return what was written."""
+    """Judge a measured surface; return the written files."""
     if options.body is not None:
         raise StressError(
             "body= is for a file of ehlwave-case: of a surface both bodies are judged and written, "
@@ -73,7 +75,7 @@ def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa
         )
     given = read_given(options.conditions)
     reading = {field.name: getattr(options, field.name) for field in fields(ReadOptions)}
-    result = contact_of(given).stress(
+    result = contact_of(given, options.table).stress(
         options.file,
         options.second,
         friction=options.friction,
@@ -81,6 +83,7 @@ def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa
         poisson_ratio=options.poisson_ratio,
         depths_m=None if depths is None else depths * 1e-6,
         smooth=options.smooth,
+        by=options.by,
         form=options.form,
         ends=options.ends,
         **reading,

@@ -19,7 +19,7 @@ class PlainText(io.TextIOBase):
 
     @property
     def encoding(self) -> str:  # type: ignore[override]
-        """Return that of the stream."""
+        """Return the stream's attribute."""
         return getattr(self._stream, "encoding", None) or "utf-8"
 
     def write(self, text: str) -> int:
@@ -47,7 +47,7 @@ class PlainText(io.TextIOBase):
 
 @contextlib.contextmanager
 def plain_text_only() -> Iterator[None]:
-    """Send what is printed, errors and warnings too, through :class:`PlainText`."""
+    """Send all output, errors and warnings too, through :class:`PlainText`."""
     with (
         contextlib.redirect_stdout(PlainText(sys.stdout)),  # type: ignore[type-var]
         contextlib.redirect_stderr(PlainText(sys.stderr)),  # type: ignore[type-var]
@@ -58,5 +58,5 @@ def plain_text_only() -> Iterator[None]:
 
 
 def _note_warning(message: Warning | str, *_: object) -> None:
-    """Print a warning in one line, as everything else that a command has to say."""
+    """Print a warning as a single line, like all messages of commands."""
     print(f"ehlwave: warning: {' '.join(str(message).split())}", file=sys.stderr)

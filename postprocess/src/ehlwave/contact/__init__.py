@@ -1,6 +1,6 @@
 """The contact: its conditions and scales, its oil, and the two waves under slip.
 
-Knows no surfaces, no atlas and no files of results.
+Independent of surfaces, atlas and results files.
 """
 
 from ehlwave.contact.conditions import Conditions

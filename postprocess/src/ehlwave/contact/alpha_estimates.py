@@ -1,6 +1,6 @@
 """Estimates of the pressure-viscosity coefficient from viscosity, each with its scatter.
 
-alpha is the slope of ln eta at ambient pressure, that of Roelands' law. Scatters are the largest
+alpha is the slope of ln eta at ambient pressure, as in Roelands' law. Scatters are the largest
 deviations from the oils of :data:`ehlwave.contact.measured_oils.MEASURED`; a test compares.
 """
 
@@ -14,7 +14,7 @@ from ehlwave.contact.viscosity_grade import Walther
 from ehlwave.errors import SurfaceError, see
 
 SECANT_PA = 2e8
-"""Gold's alpha is that of a straight line from ambient pressure to here."""
+"""Gold's alpha is the slope of a straight line from ambient pressure to here."""
 
 GOLD = {
     "mineral": (9.904, 0.139),
@@ -26,7 +26,7 @@ GOLD = {
 
 
 class State(NamedTuple):
-    """What is known of an oil at one temperature."""
+    """Data of an oil at a temperature."""
 
     kinematic_mm2_per_s: float
     density_kg_per_m3: float
@@ -87,7 +87,7 @@ ESTIMATES = {
 
 
 def estimate_alpha(name: str, state: State) -> tuple[float, float, str]:
-    """Return alpha, 1/Pa, its relative scatter, and what it was estimated by.
+    """Return alpha, 1/Pa, its relative scatter, and the method of the estimate.
 
     Raises SurfaceError if there is no such estimate, or it is not for this kind of oil.
     """

@@ -1,4 +1,4 @@
-"""One body of a contact: radii of curvature, elastic constants, and how it conducts heat."""
+"""A body of a contact: radii of curvature, elastic constants, and thermal properties."""
 
 import math
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ class Body:
         In place of both: ``"steel"``, ``"silicon nitride"``, ``"glass"``, ``"sapphire"``,
         ``"tungsten carbide"``, ``"bronze"``, ... (:data:`ehlwave.contact.materials.MATERIALS`).
     conductivity_w_per_m_k, density_kg_per_m3, heat_capacity_j_per_kg_k : float, optional
-        For films and friction with heat; those of the material where they are left out.
+        For films and friction with heat; defaults come from the material.
 
     Raises
     ------
@@ -85,7 +85,7 @@ class Body:
             object.__setattr__(self, name, value)
 
     def _heat(self) -> dict[str, float]:
-        """Return what is known of its heat: its own numbers before those of its material."""
+        """Return its thermal properties: its own numbers before its material's."""
         known = {} if self.material is None else known_material(self.material).heat._asdict()
         for name in BodyHeat._fields:
             if (value := getattr(self, name)) is not None:
@@ -191,7 +191,7 @@ class Body:
         return cls(-(pitch + d) / 2, groove, **elastic)
 
 
-def _radius(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
+def _radius(value: Any, name: str) -> float:  # noqa: ANN401 - user input
     if isinstance(value, float) and math.isinf(value):
         return float(value)
     radius = number(value, name, "Body")

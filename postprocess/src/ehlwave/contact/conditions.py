@@ -1,6 +1,6 @@
 """Operating conditions of a contact: an operating point and its lengths.
 
-Equation numbers are those of ``src/theory.md``.
+Equation numbers refer to ``src/theory.md``.
 """
 
 import math
@@ -45,7 +45,8 @@ class Conditions:
     Attributes
     ----------
     m, l, d : float
-        Moes load and lubricant parameters, and D = Rx/Ry; 0: line contact, whose M is another one.
+        Moes load and lubricant parameters, and D = Rx/Ry; 0: line contact, whose M has another
+        definition.
     kappa : float
         Ellipticity a/b, eq. (1); 0 of a line contact.
     gamma : float
@@ -62,23 +63,23 @@ class Conditions:
     film_source : str
         Where the film thickness comes from.
     oil : Oil
-        What waves under slip depend on besides.
+        Further parameters of waves under slip.
     metres_per_moes : float or None
-        Film in m for one of 1 in the Moes scale.
+        Film in m per unit in the Moes scale.
     central_film_error : float or None
-        Relative error of the central film; 0 of a given one; None: not known.
+        Relative error of the central film; 0 for a given film; None: unknown.
     oil_error : float
-        What errors of viscosity and pressure-viscosity coefficient make of the film, relative.
+        Relative film error from errors of viscosity and pressure-viscosity coefficient.
     oil_over_flooded : float or None
         r of a starved contact, oil offered over oil that the flooded contact passes; None: flooded.
     film_ratio : float
-        R, the central film over that of the flooded contact, by the law of starved contacts; 1 of a
-        flooded one. It is in `central_film_m`.
+        R, the central film over the flooded film, by the law of starved contacts; 1 if flooded. It
+        is in `central_film_m`.
     given : tuple of pairs
         Keys and values that it was given by, SI.
     names : tuple of triples
-        Key, name and factor of what users gave in other words: a value of the key times the factor
-        is what they call so.
+        Key, name and factor of quantities given under other names: a value of the key times the
+        factor is the named quantity.
     """
 
     m: float
@@ -117,7 +118,7 @@ class Conditions:
 
     @property
     def v_per_wavelength(self) -> float:
-        """V = (lambda/a)(gamma M/L)^(1/2) for a wavelength of one metre, eq. (17), 1/m."""
+        """V = (lambda/a)(gamma M/L)^(1/2) for a wavelength of 1 m, eq. (17), 1/m."""
         return float(v(1 / self.semi_axis_a_m, self.m, self.l, self.gamma))
 
     @property
@@ -145,7 +146,7 @@ class Conditions:
 
     @property
     def peak_over_mean(self) -> float:
-        """Return the largest Hertz pressure over the mean one."""
+        """Return the largest Hertz pressure over the mean Hertz pressure."""
         return 4 / math.pi if self.is_line else 1.5
 
     @property
@@ -158,7 +159,7 @@ class Conditions:
     def medium(self, slip: float) -> Medium:
         """Return the state of the contact centre for small waves of a surface with this slip.
 
-        The film is the given one; where a formula gave it, or none is known, that of
+        The film is the given film; where a formula gave it, or it is unknown, the film of
         :func:`corrected_film`.
         """
         if self.hertz_approach_c_m is None or self.film_source == FIT_TEXT:
@@ -169,7 +170,7 @@ class Conditions:
 
     @property
     def has_given_film(self) -> bool:
-        """Whether the central film is a given one."""
+        """Whether the central film is given."""
         return self.film_source == GIVEN_TEXT
 
     @property
@@ -179,12 +180,12 @@ class Conditions:
 
     @property
     def starvation_error(self) -> float:
-        """Return the relative error of the film by that of R; 0 of a flooded contact."""
+        """Return the relative film error from the error of R; 0 for a flooded contact."""
         return FILM_BAR / self.film_ratio if self.is_starved else 0.0
 
     @property
     def has_atlas(self) -> bool:
-        """Whether there is an atlas for it: it rolls, or is one of contacts that slide."""
+        """Whether it has an atlas: pure rolling, or a kind of sliding contact with an atlas."""
         return self.slip_parameter == 1 or self.has_sliding_atlas or self.is_newtonian_line
 
     @property
@@ -199,7 +200,7 @@ class Conditions:
 
     @property
     def has_sliding_atlas(self) -> bool:
-        """Whether the atlas of sliding contacts is the one for it: a Ree-Eyring oil that thins."""
+        """Whether the atlas of sliding contacts applies: a shear-thinning Ree-Eyring oil."""
         if self.oil.name != "Ree-Eyring":
             return False
         return self.slip_parameter != 1 or self.film_loss > NEARLY_NEWTONIAN
@@ -211,7 +212,7 @@ class Conditions:
 
     @cached_property
     def stresses_in_inlet(self) -> tuple[float, float]:
-        """Return what pressure and slip make of shear stresses in the inlet, over the oil's own."""
+        """Return the stresses in the inlet due to pressure and slip, over the oil's own stress."""
         moes = self.m, self.l, self.d
         return stresses_in_inlet(
             self.oil, moes, self.kappa, self.alphabar, self.lambdabar, self.slip_parameter

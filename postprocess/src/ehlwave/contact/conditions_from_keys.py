@@ -41,21 +41,20 @@ def conditions_from_keys(
         Either all of ``radius_x_m``, ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``,
         ``mean_speed_m_per_s``, ``viscosity_pa_s`` (reduced radii and E' with
         2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2), and ``pressure_viscosity_per_pa`` (2.2e-8 if absent)
-        and ``roelands_index`` (0.68 if absent), of a line contact ``load_n_per_m`` in place of
-        ``radius_y_m`` and ``load_n``;
-        or ``load_parameter_m``, ``lubricant_parameter_l``, ``radius_ratio_d`` with
-        ``semi_axis_a_m`` and, for the film thickness, ``radius_x_m``. In both cases
-        ``slip_parameter`` (1 if absent) or ``slide_to_roll_ratio``, and ``central_film_m``, which
-        replaces the film thickness formula where it is better known; of a Ree-Eyring oil
-        ``eyring_stress_pa``, of a Carreau oil ``carreau_modulus_pa`` and ``carreau_exponent``
-        (with M, L and D also ``reduced_modulus_pa``), of which and of ``roelands_index`` waves
-        under slip depend.
-        Relative errors of the oil's data, ``viscosity_error`` and ``pressure_viscosity_error``,
-        count in that of the film. Of a starved contact ``oil_over_flooded``.
+        and ``roelands_index`` (0.68 if absent); for a line contact ``load_n_per_m`` in place of
+        ``radius_y_m`` and ``load_n``; or ``load_parameter_m``, ``lubricant_parameter_l``,
+        ``radius_ratio_d`` with ``semi_axis_a_m`` and, for the film thickness, ``radius_x_m``. In
+        both cases ``slip_parameter`` (1 if absent) or ``slide_to_roll_ratio``, and
+        ``central_film_m``, which replaces the film thickness formula where it is better known; of a
+        Ree-Eyring oil ``eyring_stress_pa``, of a Carreau oil ``carreau_modulus_pa`` and
+        ``carreau_exponent`` (with M, L and D also ``reduced_modulus_pa``), of which and of
+        ``roelands_index`` waves under slip depend. Relative errors of the oil's data,
+        ``viscosity_error`` and ``pressure_viscosity_error``, count in that of the film. Of a
+        starved contact ``oil_over_flooded``.
     place : str
         Begins every message.
     needs_lengths : bool
-        Whether M, L and D must come with ``semi_axis_a_m``; NaN stands for it otherwise.
+        Whether M, L and D must come with ``semi_axis_a_m``; otherwise it is NaN.
 
     Raises
     ------
@@ -116,7 +115,7 @@ def _refuse_contradiction(values: Mapping[str, float], found: Conditions, place:
     """Refuse lengths beside M, L and D that do not belong to them, or to the bodies.
 
     Raises SurfaceError where a is as large as the radius, and where E' by the lengths and the Hertz
-    pressure is that of no body, or another one than is given.
+    pressure is impossible, or differs from the given value.
     """
     own = found.modulus_pa
     if own is None:
@@ -142,7 +141,7 @@ def _refuse_contradiction(values: Mapping[str, float], found: Conditions, place:
 
 
 def unknown_key(key: str, known: Sequence[str]) -> str:
-    """Return what is to be said of a key that a contact does not take."""
+    """Return the message about a key that does not apply to a contact."""
     what = f"unknown key {key}{did_you_mean(key, known)}"
     if key in load("ehlwave.inputs.keys").CaseKeys.__annotations__:
         what = f"{key} is a key of ehlwave.Case and input files, which is not taken here"

@@ -1,6 +1,6 @@
-"""What follows from M, L, D and the lengths of a contact.
+"""Quantities that follow from M, L, D and the lengths of a contact.
 
-Equation numbers are those of ``src/theory.md``.
+Equation numbers refer to ``src/theory.md``.
 """
 
 import math
@@ -96,7 +96,7 @@ def _with_loss(found: Conditions) -> Conditions:
 
 
 def _film_ratio(values: Mapping[str, float], m: float, l: float, d: float, place: str) -> float:  # noqa: E741
-    """Return R of a starved contact, 1 of a flooded one; NaN where its law does not hold."""
+    """Return R of a starved contact, 1 if flooded; NaN where its law does not hold."""
     if OIL_OVER_FLOODED not in values:
         return 1.0
     if "central_film_m" in values:

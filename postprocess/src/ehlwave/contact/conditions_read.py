@@ -37,7 +37,7 @@ ALPHA = "pressure_viscosity_per_pa"
 
 @dataclass(frozen=True)
 class Given:
-    """What words say: conditions, their keys, heat, and what is to be said of keys not used."""
+    """Command-line words: conditions, their keys, heat, and messages about unused keys."""
 
     conditions: Conditions
     keys: dict[str, Any]
@@ -71,8 +71,12 @@ def read_conditions(words: Sequence[str]) -> Conditions:
 
 
 def read_given(words: Sequence[str]) -> Given:
-    """Return what words say, as :func:`read_conditions` takes them, with heat."""
-    place, every = _place(words), _every_key(words)
+    """Return the conditions of words, as for :func:`read_conditions`, with heat."""
+    return given_of(_every_key(words), _place(words))
+
+
+def given_of(every: Mapping[str, Any], place: str) -> Given:
+    """Return the conditions of keys of an input file; `place` names the file in messages."""
     keys = {
         key: value
         for key, value in every.items()
@@ -100,7 +104,7 @@ def read_given(words: Sequence[str]) -> Given:
 
 
 def _every_key(words: Sequence[str]) -> dict[str, Any]:
-    """Return the keys of all words; later ones override earlier ones."""
+    """Return the keys of all words; later words override earlier words."""
     keys: dict[str, Any] = {}
     typed = [word.partition("=") for word in words]
     refuse_both({name.strip(): value for name, mark, value in typed if mark}, _place(words))
@@ -120,7 +124,7 @@ def _place(words: Sequence[str]) -> str:
 
 
 def _check_flow_law(law: Any, name: str, place: str) -> None:  # noqa: ANN401 - as in the file
-    """Refuse a flow law that is not that of the keys."""
+    """Refuse a flow law that differs from the keys."""
     if law is not None and FLOW_LAWS.get(str(law).lower()) != name:
         raise SurfaceError(
             f"{place}: flow_law = '{str(law).lower()}', but the keys are those of a {name} oil: "
@@ -132,9 +136,9 @@ def _check_flow_law(law: Any, name: str, place: str) -> None:  # noqa: ANN401 - 
 def _other_laws(
     every: Mapping[str, Any], slides: bool, place: str
 ) -> tuple[tuple[str, ...], tuple[tuple[str, float], ...]]:
-    """Return the laws of the oil that no prediction knows, and their parameters.
+    """Return the laws of the oil that no prediction covers, and their parameters.
 
-    A limit of the stress is one where surfaces slide: in pure rolling the mean stress is 0.
+    A limit of the stress matters where surfaces slide: in pure rolling the mean stress is 0.
     """
     laws = [
         f"{key} = '{every[key]}'"

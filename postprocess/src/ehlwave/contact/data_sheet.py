@@ -1,4 +1,4 @@
-"""Oils as data sheets have them: what contacts are computed with, at one temperature."""
+"""Oils from data sheets: input of contacts at a given temperature."""
 
 import contextlib
 from collections.abc import Mapping
@@ -51,7 +51,7 @@ _STEP_K = 0.01
 
 @dataclass(frozen=True)
 class Oil:
-    """An oil at one temperature, for :meth:`ehlwave.Contact.from_bodies`.
+    """An oil at a given temperature, for :meth:`ehlwave.Contact.from_bodies`.
 
     Make it by :meth:`from_grade` or :meth:`named`, or from its own numbers.
 
@@ -64,7 +64,7 @@ class Oil:
     temperature_k : float, optional
         Where these are so, K.
     viscosity_error, pressure_viscosity_error : float
-        Relative; films carry what they make.
+        Relative; films include their effect.
     roelands_index : float
         z of Roelands' law.
     density_kg_per_m3 : float, optional
@@ -78,7 +78,7 @@ class Oil:
     conductivity_error : float
         Relative; films and friction with heat carry it.
     source : str
-        What the numbers are from.
+        Source of the numbers.
 
     Examples
     --------
@@ -148,10 +148,10 @@ class Oil:
             ``temperature_k``. The viscosity at 40 C: ``iso_vg`` (within 10 %, ISO 3448) or
             ``viscosity_40c_mm2_per_s``. Its change with temperature:
             ``viscosity_100c_mm2_per_s`` or ``viscosity_index`` (ASTM D2270; if both are left out
-            the usual one of the kind, :data:`USUAL_INDICES`, and the error is that of the low and
-            the high one); between them ASTM D341 holds, and below 40 and above 100 C it is
-            extrapolated, which the error says. ``density_15c_kg_per_m3`` (usual of the kind if left
-            out). ``kind``: ``"mineral"`` (default), ``"pao"``, ``"ester"``, ``"polyglycol"``.
+            the usual index of the kind, :data:`USUAL_INDICES`, and the error covers the low and
+            high index); between them ASTM D341 holds, and below 40 and above 100 C it is
+            extrapolated, which the error includes. ``density_15c_kg_per_m3`` (usual of the kind if
+            left out). ``kind``: ``"mineral"`` (default), ``"pao"``, ``"ester"``, ``"polyglycol"``.
             ``pressure_viscosity_per_pa`` at this temperature with ``pressure_viscosity_error``, or
             ``alpha``, an estimate: ``"gold"`` (default), ``"wooster"``, ``"so-klaus"``; its scatter
             becomes the error. ``roelands_index``, ``eyring_stress_pa``. Conductivity and heat
@@ -208,8 +208,8 @@ class Oil:
         """Return a measured oil by its name, between 30 and 100 C.
 
         Between measured temperatures viscosity follows ASTM D341, alpha a straight line over T. The
-        source states no errors; none is carried. It has no conductivities and heat capacities:
-        usual ones of mineral oils stand for them.
+        source states no errors; none is included. It has no conductivities and heat capacities:
+        usual values of mineral oils replace them.
 
         Parameters
         ----------
@@ -315,7 +315,7 @@ def _needed(sheet: Mapping[str, Any], name: str) -> float:
     return _positive(sheet[name], name)
 
 
-def _positive(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
+def _positive(value: Any, name: str) -> float:  # noqa: ANN401 - user input
     found = number(value, name, "Oil.from_grade")
     if not found > 0:
         raise SurfaceError(f"Oil.from_grade: {name} = {value} must be above 0")
@@ -323,7 +323,7 @@ def _positive(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
 
 
 def _lines(sheet: Mapping[str, Any], kind: str) -> tuple[Walther, list[Walther], str]:
-    """Return the line of D341, those of the ends of what is not known, and what it is of."""
+    """Return the line of D341, its lower and upper bounds, and the source."""
     place = "Oil.from_grade"
     if "iso_vg" in sheet:
         cold = number(sheet["iso_vg"], "iso_vg", place)
@@ -371,7 +371,7 @@ def _lines(sheet: Mapping[str, Any], kind: str) -> tuple[Walther, list[Walther],
 def _viscosity_error(line: Walther, ends: list[Walther], at_k: float, is_grade: bool) -> float:
     """Return the relative error of a viscosity: largest of the ends, and of the extrapolation.
 
-    That of a grade is at least the one at 40 C.
+    The limit of a grade is at least its limit at 40 C.
     """
     known = line.viscosity(at_k)
     found = [GRADE_ERROR if is_grade else 0.0]

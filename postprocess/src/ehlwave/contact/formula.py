@@ -1,8 +1,8 @@
 """The amplitude reduction formula of Venner, Kaneta and Lubrecht (2000).
 
 All quantities are dimensionless and all functions work element by element on arrays of any
-(broadcastable) shape. NaN in gives NaN out. The equation numbers are those of
-``src/theory.md``; the paper's own numbers differ:
+(broadcastable) shape. NaN in gives NaN out. Equation numbers refer to ``src/theory.md``; the
+paper's own numbers differ:
 
 ========================  =======  ==========
 relation                  here     paper
@@ -148,7 +148,7 @@ def amplitude_ratio_formula(x: ArrayLike, c1: float = PAPER_C1, c2: float = PAPE
     Parameters
     ----------
     x : array_like
-        f(r) V, or f(r) V2 for the formula as it stood for circular contacts.
+        f(r) V, or f(r) V2 for the former formula of circular contacts.
     c1, c2 : float
         Coefficients; the paper's by default.
 
@@ -178,7 +178,7 @@ def recommended_parameter(
 
     lambda_n is the wavelength along the wave vector, 1/lambda_n^2 = 1/lambda_x^2 + 1/lambda_y^2,
     and theta the angle between wave vector and rolling direction, cos(theta) = lambda_n/lambda_x:
-    transverse waves have x ~ L^(-1/3), longitudinal ones do not depend on L.
+    transverse waves have x ~ L^(-1/3), longitudinal waves do not depend on L.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Heat of a contact: how oil and both bodies conduct and store it, and by what an oil thins."""
+"""Heat of a contact: thermal properties of oil and bodies, and the thermal thinning of the oil."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
@@ -45,12 +45,11 @@ class BodyHeat(NamedTuple):
 
 SOFT_STEEL = BodyHeat()
 CONDUCTIVITY_ERROR = "oil_conductivity_error"
-EMPTY_HEAT = "&heat needs oil_conductivity_w_per_m_k: give it, or remove the group"
 
 
 @dataclass(frozen=True)
 class Heat:
-    """What films and friction with heat depend on besides the contact: the keys of ``&heat``.
+    """Thermal data of films and friction besides the contact: the keys of ``&heat``.
 
     Parameters
     ----------
@@ -63,7 +62,7 @@ class Heat:
     oil_expansion_per_k : float
         By which its density falls, 1/K.
     body, body2 : BodyHeat
-        Of the first surface, which is the rough one, and of the other one.
+        Of the first surface, which is rough, and of the second.
     oil_conductivity_error : float
         Relative; films and friction carry it. No key of ``&heat``.
 
@@ -131,7 +130,7 @@ class Heat:
         return self.body, self.body2 or self.body
 
     def exchanged(self) -> "Heat":
-        """Return the same with the other body as the first one.
+        """Return the data with the bodies exchanged.
 
         Examples
         --------
@@ -165,7 +164,7 @@ class Heat:
 def heat_of_keys(keys: Mapping[str, Any], place: str) -> Heat:
     """Return heat by keys of input files, with their defaults there.
 
-    Raises SurfaceError if one is missing or is none that a contact has.
+    Raises SurfaceError if a value is missing or out of range.
     """
     names = [field.name for field in fields(Heat) if field.name != CONDUCTIVITY_ERROR]
     own = [name for name in names if not name.startswith("body")]
@@ -197,7 +196,7 @@ def heat_of(oil: Any, bodies: tuple[Any, Any]) -> Heat:  # noqa: ANN401 - Oil, B
     Raises
     ------
     SurfaceError
-        If something is not known; the message says what.
+        If a value is unknown; the message names it.
     """
     if oil is None:
         raise SurfaceError(f"Contact: heat=True needs oil=ehlwave.Oil(...){see('oil')}")

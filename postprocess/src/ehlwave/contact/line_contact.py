@@ -1,7 +1,7 @@
 """Scales of a line contact, D = 0: a the half width, c = a^2/(2 Rx), w the load per length.
 
-M = W (2U)^(-1/2) with W = w/(E' Rx); a^2 = 8 w Rx/(pi E'), ph = 2 w/(pi a); K = 1 stands for the
-elliptic integral, gamma = M^(1/2), by which V is that of line contacts (``src/contact/README.md``).
+M = W (2U)^(-1/2) with W = w/(E' Rx); a^2 = 8 w Rx/(pi E'), ph = 2 w/(pi a); K = 1 replaces the
+elliptic integral, gamma = M^(1/2), for which V holds in line contacts (``src/contact/README.md``).
 """
 
 import math
@@ -16,7 +16,7 @@ LOAD_KEY = "load_n_per_m"
 LINE_KEYS = ("radius_x_m", "reduced_modulus_pa", LOAD_KEY, "mean_speed_m_per_s", "viscosity_pa_s")
 
 SLENDER_OVER_LINE = (2 * math.pi**3 / 3) / (2 * math.pi) ** 1.5
-"""gamma M of slender elliptical contacts over that of the line contact of equal alphabar and L."""
+"""gamma M of slender elliptical contacts over the line contact of equal alphabar and L."""
 
 _SLENDER = "take a slender elliptical contact of equal Hertz pressure (radius_y_m = 25 radius_x_m)"
 TRANSVERSE_ALONE = (

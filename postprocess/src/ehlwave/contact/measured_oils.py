@@ -1,7 +1,7 @@
 """Oils by name: viscosities and pressure-viscosity coefficients as they were measured.
 
 Source: Stachowiak and Batchelor, Engineering Tribology, Table 2.3, adapted from Cameron. Names are
-the table's, with the viscosity at 30 C in mPa s, by which its oils of one name are told apart.
+the table's, with the viscosity at 30 C in mPa s, to distinguish oils of equal name.
 """
 
 from typing import NamedTuple
@@ -13,7 +13,7 @@ DENSITY_15C = 885.0
 
 
 class MeasuredOil(NamedTuple):
-    """One oil at 30, 60 and 100 C: viscosity, mPa s, and alpha, 1/GPa."""
+    """An oil at 30, 60 and 100 C: viscosity, mPa s, and alpha, 1/GPa."""
 
     viscosity_mpa_s: tuple[float, float, float]
     alpha_per_gpa: tuple[float | None, float, float]

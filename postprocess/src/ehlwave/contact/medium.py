@@ -1,4 +1,4 @@
-"""The state of the contact centre that a small wave meets, and what it makes of waves.
+"""The state of the contact centre for small waves, and its effect on them.
 
 The closed forms of ``src/contact/two_waves.f90``, with the same letters and signs: waves are
 exp(i (kx X + ky Y - w T)), X and Y in units of a here, w = kx S.
@@ -23,7 +23,7 @@ INLET_VISCOSITY = 100.0
 
 @dataclass(frozen=True)
 class Medium:
-    """Density, its derivative, film and flow at one place, dimensionless.
+    """Density, its derivative, film and flow at a place, dimensionless.
 
     Attributes
     ----------
@@ -34,9 +34,9 @@ class Medium:
     k : float
         Complete elliptic integral K.
     thinning : float
-        Shear stress that slip makes of the viscosity at ambient pressure in a film of this
-        thickness, over the Eyring stress: B with eta = 1. 0 of a Newtonian oil; of a Carreau oil
-        that of the Ree-Eyring oil that thins as much in the inlet.
+        Shear stress of slip with the viscosity at ambient pressure in a film of this thickness,
+        over the Eyring stress: B with eta = 1. 0 for a Newtonian oil; a Carreau oil takes the
+        Ree-Eyring oil with equal thinning in the inlet.
     """
 
     rho: float
@@ -109,8 +109,8 @@ def hertz_medium(
 ) -> Medium:
     """Return the state of the centre of a contact, by default under the maximum Hertz pressure.
 
-    The flow is that of :meth:`Oil.tangent_factors`, B = (lambdabar N0/6) 2 (S - 1) eta/H,
-    N0 = K ph^2/(E' tau0).
+    The flow follows :meth:`Oil.tangent_factors`, B = (lambdabar N0/6) 2 (S - 1) eta/H, N0 = K
+    ph^2/(E' tau0).
 
     Parameters
     ----------

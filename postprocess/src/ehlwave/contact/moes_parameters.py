@@ -1,6 +1,6 @@
 """M, L and D of dimensional data; of line contacts: :mod:`ehlwave.contact.line_contact`.
 
-Equation numbers are those of ``src/theory.md``.
+Equation numbers refer to ``src/theory.md``.
 """
 
 import math
@@ -51,7 +51,7 @@ def moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
 
 
 def checked_ratio(d: float, given: str) -> float:
-    """Return D, 1 where radii are equal but for round-off; refuse what is out of range."""
+    """Return D, 1 where radii are equal up to round-off; refuse values out of range."""
     if abs(d - 1) <= ROUND_OFF:
         return 1.0
     if d != 0 and not SMALLEST_RADIUS_RATIO <= d <= 1:

@@ -1,8 +1,8 @@
 """Usual conductivities and heat capacities of oils at ambient pressure, with their scatter.
 
 Under the pressure of a contact oils conduct better, by half to twice at 1 GPa (Larsson and
-Andersson, Proc. IMechE J 214, 2000, 337-342); ``&heat`` and the laws of heat take one value. A kind
-that is not in `usual_heat` is a gap: no source is known.
+Andersson, Proc. IMechE J 214, 2000, 337-342); ``&heat`` and the laws of heat take a single value.
+Kinds missing in `usual_heat` have no known source.
 """
 
 CRAGOE_ERROR = 0.10

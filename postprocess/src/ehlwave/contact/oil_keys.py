@@ -10,7 +10,7 @@ OIL_KEYS = ("pressure_viscosity_per_pa", "roelands_index", "eyring_stress_pa", *
 
 
 def oil_of_keys(values: Mapping[str, float], place: str) -> Oil:
-    """Return the oil; raise SurfaceError where keys are those of no flow law."""
+    """Return the oil; raise SurfaceError where keys belong to no flow law."""
     alpha = values.get("pressure_viscosity_per_pa", Oil.pressure_viscosity_per_pa)
     index = values.get("roelands_index", Oil.roelands_index)
     given = [key for key in ("eyring_stress_pa", *CARREAU_KEYS) if key in values]

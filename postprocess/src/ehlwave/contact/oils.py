@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 ROELANDS_PA = 1.96e8
 DENSITY_PA, DENSITY_LIMIT = 5.9e8, 1.34
-"""Of Dowson and Higginson's density, (5.9e8 + 1.34 p)/(5.9e8 + p)."""
+"""Coefficients of Dowson and Higginson's density, (5.9e8 + 1.34 p)/(5.9e8 + p)."""
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class Oil:
     carreau_exponent : float or None
         n of a Carreau oil, above 0 and at most 1; None of other oils.
     other_laws : tuple of str
-        What was asked for besides and is not in here, such as another law of viscosity.
+        Requested data that are not included, such as another law of viscosity.
     other_keys : tuple of pairs
         Parameters of these laws by their keys.
     """

@@ -1,7 +1,7 @@
 """Scales of elliptical contacts and their film by formula, from M, L and D.
 
-Equation numbers are those of ``src/theory.md``; line contacts: :mod:`ehlwave.contact.line_contact`.
-The Fortran program has the same in ``src/contact/conditions.f90`` and ``formula.f90``; a test
+Equation numbers refer to ``src/theory.md``; line contacts: :mod:`ehlwave.contact.line_contact`. The
+Fortran program has the same formulas in ``src/contact/conditions.f90`` and ``formula.f90``; a test
 compares both to round-off.
 """
 
@@ -86,7 +86,7 @@ def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
 
 
 def corrected_film(m: float, l: float, d: float) -> float:  # noqa: E741
-    """Return H of a smooth contact: :func:`moes_film` less what it is too thick by, in units of c.
+    """Return H of a smooth contact: :func:`moes_film` less its excess, in units of c.
 
     The correction is a fit to the contacts of ``studies.two_waves`` (20 <= M <= 1000,
     2.5 <= L <= 20, 0.1 <= D <= 1, flooded, Newtonian), of which it misses 2 per cent rms; the

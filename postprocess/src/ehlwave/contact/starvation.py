@@ -1,8 +1,8 @@
 """Film and waves of a contact with too little oil: laws fitted to computed contacts.
 
-r is the oil offered over the oil that the flooded contact passes, R the central film over that of
-the flooded contact. The laws are those of ``scripts/study starvation``, in pure rolling, with
-Roelands' viscosity and Dowson and Higginson's density.
+r is the oil offered over the flow of the flooded contact, R the central film over the flooded film.
+The laws come from ``scripts/study starvation``, in pure rolling, with Roelands' viscosity and
+Dowson and Higginson's density.
 """
 
 import numpy as np
@@ -25,7 +25,8 @@ FILM_ERROR = 0.0064
 FILM_RANGES = {"M": (20.0, 1000.0), "L": (2.0, 20.0), "D": (0.1, 1.0), "r": (0.2, 5.0)}
 
 WAVE_COEFFICIENTS = (0.7569, 0.6734, -0.8266, 0.9517, 0.2906)
-"""Powers of R: in x, in x times cos^2(theta), in n; factor of x; power of 1/R in that of all."""
+"""Powers of R: in x, in x times cos^2(theta), in n; factor of x; power of 1/R in the common error.
+"""
 WAVE_ERROR = 0.0265
 """Root mean square of the law for Ad/Ai, held out by contacts."""
 WAVE_RANGES = {"M": (50.0, 800.0), "L": (4.0, 18.0), "D": (0.1, 1.0), "R": (0.39, 1.0)}
@@ -40,7 +41,7 @@ errors by the meniscus, theory eq. (C8), within the second."""
 TRANSVERSE, OTHERS = (0.25, 2.0), (0.35, 1.0)
 """Wavelengths over a, along the wave vector, of the responses that the law was fitted to."""
 TRANSVERSE_BELOW_DEG = 22.5
-"""Waves at smaller angles count as transverse: the fitted ones were at 0, 45 and 90 degrees."""
+"""Waves at smaller angles count as transverse: the fitted angles were 0, 45 and 90 degrees."""
 
 OIL_OVER_FLOODED = "oil_over_flooded"
 """The key of r."""
@@ -64,7 +65,7 @@ def film_over_flooded(
     """Return R = r (1 + r^g)^(-1/g), g = 4.25 (M/100)^0.104 (L/10)^-0.084 D^-0.245 (1 + r)^-0.498.
 
     Fitted to 293 films of 29 contacts, r 0.2 to 5: the root mean square error of R is 0.006, held
-    out by contacts 0.006, the largest 0.028. One g for all contacts leaves 0.024.
+    out by contacts 0.006, the largest 0.028. A common g for all contacts leaves 0.024.
 
     Parameters
     ----------
@@ -113,9 +114,9 @@ def starved_ratio(
 ) -> Floats:
     """Return Ad/Ai of a starved contact, (1 + x^n)^(-m/n) with m = R^-0.29.
 
-    x and n are those of the flooded contact, `ehlwave.contact.formula.recommended_parameter` and
+    x and n belong to the flooded contact, `ehlwave.contact.formula.recommended_parameter` and
     `recommended_sharpness`, times 0.952 R^(-0.76 - 0.67 cos^2(theta)) and R^-0.83: less oil means
-    more reduction, most of long waves, which m is for. Fitted to 824 linear responses of 15
+    more reduction, most of long waves, described by m. Fitted to 824 linear responses of 15
     contacts: the root mean square error of Ad/Ai is 0.026, held out by contacts 0.027, the largest
     0.086; 0.029 where R is below 0.45.
 
@@ -179,7 +180,7 @@ def ratio_error(
     wavelength_x: ArrayLike,
     wavelength_y: ArrayLike,
 ) -> Floats:
-    """Return the error of `starved_ratio`, absolute: its own, and what that of R makes of it.
+    """Return the error of `starved_ratio`, absolute: its own, and the effect of the error of R.
 
     95 % of responses computed anew lie within. Parameters as of `starved_ratio`.
 

@@ -10,7 +10,7 @@ the Newtonian stress over tau at the viscosity of ambient pressure (:class:`Medi
 
 tau is the Eyring stress; of a Carreau oil G/(3 (1/n - 1))^(1/2): fluidities 1 + (s/tau)^2/6 of
 Ree-Eyring and 1 + (1/n - 1)(s/G)^2/2 of Carreau are alike then at small stresses s, and at larger
-ones Carreau's grows less for n above 1/6.
+stresses Carreau's grows less for n above 1/6.
 """
 
 import math
@@ -26,7 +26,7 @@ their sum is a bound for contacts without an atlas: of those in ``record/thinnin
 none loses more than 0.93 of it. Ree-Eyring oils under slip lose up to 1.23 of it."""
 
 MOST_LOSS = 0.15
-"""Loss up to which a film of a Newtonian oil stands for that of one that thins."""
+"""Loss up to which a film of a Newtonian oil replaces the film of a shear-thinning oil."""
 
 NEARLY_NEWTONIAN = 0.005
 """Loss below which it is as good."""
@@ -36,7 +36,7 @@ LEAST_EXPONENT = 1 / 6
 
 
 def as_ree_eyring(oil: Oil) -> Oil:
-    """Return the Ree-Eyring oil that thins as much at small stresses; a Newtonian one as it is."""
+    """Return the Ree-Eyring oil that thins as much at small stresses; a Newtonian oil unchanged."""
     if oil.stress_modulus_pa2 is None or oil.carreau_exponent is None:
         return oil
     if oil.carreau_exponent == 1:
@@ -55,9 +55,9 @@ def stresses_in_inlet(
     lambdabar: float,
     slip: float,
 ) -> tuple[float, float]:
-    """Return N and T, what pressure and slip make of shear stresses in the inlet over tau.
+    """Return N and T, stresses in the inlet due to pressure and slip, over tau.
 
-    Takes M, L and D in a tuple; the others are those of :func:`hertz_medium`.
+    Takes M, L and D in a tuple; other arguments as :func:`hertz_medium`.
     """
     oil = as_ree_eyring(oil)
     if oil.stress_modulus_pa2 is None:

@@ -19,10 +19,10 @@ from ehlwave.inputs.slip import RATIO, SLIP, slip_of
 from ehlwave.quantities import number, plain
 
 BODY_KEYS = ("load_n", LOAD_KEY, "length_m", "speeds_m_per_s", "mean_speed_m_per_s", SLIP, RATIO)
-"""What users say of the contact of two bodies, besides the oil."""
+"""Keys of the contact of two bodies, besides the oil."""
 
 FROM_BODIES = ("radius_x_m", "radius_y_m", "reduced_modulus_pa", "semi_axis_a_m")
-"""What follows from the bodies."""
+"""Keys that follow from the bodies."""
 
 Names = list[tuple[str, str, float]]
 
@@ -30,12 +30,12 @@ Names = list[tuple[str, str, float]]
 def contact_keys(
     body1: Body, body2: Body, oil: Oil | None, given: Mapping[str, Any]
 ) -> tuple[dict[str, Any], Names]:
-    """Return keys of the contact of two bodies, and what users call those that have other names.
+    """Return keys of the contact of two bodies, and the users' names of renamed keys.
 
     Parameters
     ----------
     body1, body2 : Body
-        The rough one first.
+        The rough body first.
     oil : Oil or None
         In place of the keys of an oil.
     given : mapping
@@ -71,7 +71,7 @@ def contact_keys(
 
 
 def _check_names(oil: Oil | None, given: Mapping[str, Any]) -> None:
-    """Refuse names that nothing has, that the bodies say, or that the oil says."""
+    """Refuse unknown names, and names given by the bodies or the oil."""
     others = (*FROM_BODIES, *MOES_KEYS)
     known = [key for key in dict.fromkeys((*BODY_KEYS, *KNOWN_KEYS)) if key not in others]
     if oil is not None and not isinstance(oil, Oil):

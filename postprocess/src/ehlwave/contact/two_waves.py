@@ -4,11 +4,10 @@ Where a pattern Ai exp(i kx (X - S T)) slides through the contact, the film near
 
     Ai [a exp(i (kx X - w T)) + c exp(i (psi X - w T))],    w = kx S:
 
-the attenuated wave moves with the surface, the complementary one is launched by the inlet and moves
-with the oil (Greenwood and Morales-Espejel 1994; Hooke 2006). a and psi follow from the state of
-the contact centre in closed form (:mod:`ehlwave.contact.medium`). What the inlet launches is what
-it lets through in pure rolling, where the film is 1 + (R - 1), less what the attenuated wave takes
-of it:
+the attenuated wave moves with the surface, the complementary wave is launched by the inlet and
+moves with the oil (Greenwood and Morales-Espejel 1994; Hooke 2006). a and psi follow from the state
+of the contact centre in closed form (:mod:`ehlwave.contact.medium`). The inlet launches its share
+in pure rolling, where the film is 1 + (R - 1), less the share of the attenuated wave:
 
     c = (G - a) way(psi - kx) + (R - 1) G way(psi - psi_1)
     G = T S^(p (gM/200)^p1 (cos^2(theta))^p2 (1 - |a|^2) + i q (gM/200)^q1 (cos^2(theta))^q2)
@@ -16,11 +15,11 @@ of it:
     way(m) = exp(i m - i u - u^2/6),   u = Re(m) d,   d = d0 (L/(gM))^(d1/2) (10/alphabar)^d2
 
 gM is gamma M. Launched between X = -1 and -1 + 2d, a wave arrives at the centre with the phase and
-the loss of its way; u^2/6 is what a launch spread over 2d averages out. psi_1 is psi in pure
-rolling, whose loss R has in it already. Of waves that are much shorter than the inlet R is 1 and
-nothing arrives. T is what thinning in the inlet costs, B0 the B of the viscosity at ambient
-pressure (:class:`ehlwave.contact.medium.Medium`). p to r and d are fitted (``studies.two_waves``);
-S -> 1 gives a + c = R, the pure rolling law of :mod:`ehlwave.contact.rolling`.
+the loss of its way; a launch spread over 2d averages out u^2/6. psi_1 is psi in pure rolling, whose
+loss R has in it already. Of waves that are much shorter than the inlet R is 1 and nothing arrives.
+T is the effect of thinning in the inlet, B0 the B of the viscosity at ambient pressure
+(:class:`ehlwave.contact.medium.Medium`). p to r and d are fitted (``studies.two_waves``); S -> 1
+gives a + c = R, the pure rolling law of :mod:`ehlwave.contact.rolling`.
 """
 
 from collections.abc import Sequence
@@ -51,10 +50,11 @@ MOST_REGAINED = 1.0
 """Largest -Im(psi - psi_1): R is not known so well that more of its loss could be taken back."""
 
 SLIP_ERRORS = {"Ree-Eyring": 0.11, "Newtonian": 0.17, "Carreau": 0.28}
-"""Of the law of the two waves, units of Ai, by oil: twice the rms error in conditions held out of
-its fit (``record/two_waves/errors.csv``). No Carreau oil is in the fit: 95 % of drawn waves that
-are no ridges along rolling are within (G 1 to 30 MPa, n 0.3 to 0.9;
-``record/judged/sheared_waves.csv``)."""
+"""Errors of the law of the two waves, units of Ai, by oil: twice the rms error in conditions held
+out of its fit (``record/two_waves/errors.csv``). No Carreau oil is in the fit: 95 % of drawn waves
+other than ridges along rolling are within (G 1 to 30 MPa, n 0.3 to 0.9;
+``record/judged/sheared_waves.csv``).
+"""
 
 MOST_CARREAU_SHEAR = (20.0, 50.0)
 """Largest stresses by pressure and by slip in the inlet of a Carreau oil, over its own
@@ -67,7 +67,7 @@ FITTED_RANGES = {"M": (20.0, 1000.0), "L": (2.5, 20.0), "D": (0.1, 1.0), "S": (0
 
 @dataclass(frozen=True)
 class TwoWaves:
-    """Amplitudes over Ai at X = 0, and wave numbers along X, 1/a; arrays of one shape.
+    """Amplitudes over Ai at X = 0, and wave numbers along X, 1/a; arrays of equal shape.
 
     The waves go as exp(i (wave_number X - w T)) and exp(i (psi X - w T)).
     """
@@ -127,7 +127,7 @@ def launched(rolling: Complex, launch: Launch, powers: Sequence[float] = SLIP_PO
 
 
 def _way(mismatch: Complex, length: Floats) -> Complex:
-    """Return what the way to the centre makes of a wave that is launched over this length."""
+    """Return the factor of the way to the centre on a wave launched over this length."""
     u = mismatch.real * length
     return np.asarray(np.exp(1j * (mismatch - u) - u**2 / 6))
 
@@ -144,7 +144,7 @@ def launch_length(
 
 
 class SmoothContact(Protocol):
-    """Interface of a contact for the law; :class:`ehlwave.surface.Conditions` is one."""
+    """Interface of a contact for the law, as :class:`ehlwave.surface.Conditions`."""
 
     @property
     def m(self) -> float:
@@ -169,7 +169,7 @@ class SmoothContact(Protocol):
 def two_waves(
     contact: SmoothContact, slip: float, wavelength_x: ArrayLike, wavelength_y: ArrayLike = 0.0
 ) -> TwoWaves:
-    """Return both waves of patterns that move: the attenuated and the complementary one.
+    """Return both waves of patterns that move: attenuated and complementary wave.
 
     Parameters
     ----------

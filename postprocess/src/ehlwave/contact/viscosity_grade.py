@@ -1,4 +1,4 @@
-"""Kinematic viscosity over temperature, from what data sheets state.
+"""Kinematic viscosity over temperature, from data sheets.
 
 ASTM D341-09 (Walther's equation with MacCoull's terms), ISO 3448 (grades) and ASTM D2270-10
 (viscosity index; ISO 2909 has the same). Viscosities in mm2/s, temperatures in K.
@@ -17,15 +17,15 @@ COLD_K, HOT_K = 313.15, 373.15
 ISO_GRADES = (2, 3, 5, 7, 10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460, 680, 1000, 1500)
 ISO_GRADES += (2200, 3200)
 GRADE_ERROR = 0.10
-"""Of ISO 3448: a grade is the viscosity at 40 C within 10 %."""
+"""Tolerance of ISO 3448: a grade is the viscosity at 40 C within 10 %."""
 
 THINNEST = 0.21
-"""Of ASTM D341, mm2/s."""
+"""Lower limit of ASTM D341, mm2/s."""
 
 BEND = 0.0195
 """Most by which log10 log10 Z of a measured oil leaves the straight line, over u (u - 1), u being 0
-at 40 C and 1 at 100 C: of :data:`ehlwave.contact.measured_oils.MEASURED` but one oil, whose bend is
-more than twice that of any other."""
+at 40 C and 1 at 100 C: of :data:`ehlwave.contact.measured_oils.MEASURED` without one oil, whose
+bend is more than twice any other."""
 
 INDEX_TERMS = (
     (2.0, 1.14673, 1.7576, -0.109, 0.84155, 1.5521, -0.077),
@@ -126,7 +126,7 @@ def viscosity_index(cold: float, hot: float) -> float:
 
 
 def hot_viscosity(cold: float, index: float) -> float:
-    """Return the viscosity at 100 C of one at 40 C and a viscosity index, mm2/s.
+    """Return the viscosity at 100 C from the viscosity at 40 C and the index, mm2/s.
 
     Raises SurfaceError if no oil has both.
     """

@@ -16,9 +16,9 @@ from ehlwave.elements.place import ElementContact
 
 LINE_ERROR, POINT_ERROR = 0.18, 0.55
 """Relative. Twelve contacts of ``ehlwave-case`` (M of 1.8 to 4,300, L of 8 to 16, D of 0 and 0.033
-to 1) with oil out to Rx are 0 to 10 % above the formula of lines, 14 to 52 % above that of points;
-at M = 5 lines are 15 % above (theory, after (T14)). With little oil around the contact points lie
-below the formula. A test has the values."""
+to 1) with oil out to Rx are 0 to 10 % above the formula of lines, 14 to 52 % above the formula of
+points; at M = 5 lines are 15 % above (theory, after (T14)). With little oil around the contact
+points lie below the formula. A test has the values."""
 
 
 def error_of(length_m: float | None) -> float:

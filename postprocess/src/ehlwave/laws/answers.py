@@ -1,4 +1,4 @@
-"""What a contact answers: films of the smooth contact, responses to waves."""
+"""Answers of a contact: films of the smooth contact, responses to waves."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ class Film:
         Friction coefficient without waves, its size, isothermal unless the contact has heat; None:
         not known (pure rolling, or an oil that is not Ree-Eyring's).
     friction_error : float or None
-        Relative, as those of films.
+        Relative, like films.
     source : str
-        What it was taken from.
+        Source.
     heated : Heated or None
         Of a contact with heat: by how much heat thins the film, friction with and without heat,
         rises of the temperature.
@@ -109,10 +109,10 @@ class Response:
     error : float
         Of ``film``, absolute, in units of Ai: 95 % of responses computed anew lie within.
     source : str
-        What it was taken from.
+        Source.
     has_phase : bool
         Whether the lag is known. The law of starved contacts has amplitudes alone: `film` is real
-        then, and `error` that of its amplitude.
+        then, and `error` applies to its amplitude.
 
     Examples
     --------

@@ -1,7 +1,7 @@
 """Transfer from the atlas: amplitude and phase, and their errors, of each harmonic component."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from ehlwave.laws.transfer import Waves
 Complex = NDArray[np.complex128]
 
 WAVES, ANGLES = 72, 31
-"""Of the chart that is interpolated for maps, over ln wavelength and angle."""
+"""Nodes of the chart that is interpolated for maps, over ln wavelength and angle."""
 
 REFINED = 4
 """Times as fine is the chart made by splines, so that lines between its points do for millions of
@@ -44,8 +44,8 @@ class AtlasTransfer:
     """Film responses of the atlas for a contact that rolls, or slides in a Ree-Eyring oil.
 
     Waves shorter than the atlas have nearly their whole amplitude: 1 - T continues with the power
-    3/2 of the wavelength. Longer ones hardly any: T falls as the recommended formula does. Of both
-    the error counts as large as what is continued, so that they stand in the error of the whole.
+    3/2 of the wavelength. Longer waves have almost none: T falls as the recommended formula does.
+    For both the error is as large as the continuation, so that the total error includes them.
     """
 
     def __init__(self, conditions: Conditions, atlas: Atlas | None = None) -> None:
@@ -71,7 +71,7 @@ class AtlasTransfer:
         self._asked: tuple[Waves, Waves] | None = None
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what is pickled: what was looked up is looked up anew."""
+        """Return the state for pickling, without caches."""
         kept = {name: value for name, value in vars(self).items() if name != "_found"}
         return kept | {"_lookups": {}, "_asked": None}
 
@@ -106,9 +106,9 @@ class AtlasTransfer:
         return found
 
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
-        """Return what waves add to the mean film, to second order.
+        """Return the rise of the mean film by waves, to second order.
 
-        Shorter waves than the atlas' add as much as its shortest; longer ones less, as the square
+        Shorter waves than the atlas' add as much as its shortest; longer waves less, as the square
         of their response.
         """
         return self._find(per_length_x, per_length_y).rise
@@ -118,7 +118,7 @@ class AtlasTransfer:
         return self._find(per_length_x, per_length_y).is_covered
 
     def _find(self, per_length_x: Waves, per_length_y: Waves) -> Found:
-        """Return everything at once; what was found for the last arrays is still known."""
+        """Return everything at once; the last arrays are cached."""
         asked = per_length_x, per_length_y
         if not (self._asked and all(a is b for a, b in zip(asked, self._asked, strict=True))):
             self._found = self._evaluate(*asked)
@@ -181,7 +181,7 @@ class AtlasTransfer:
         return fall
 
     def _lookup(self, angle: Waves) -> Callable[[Waves, Waves], Waves]:
-        """Return the parts of the chart over ln wavelength and angle, or along one angle."""
+        """Return the parts of the chart over ln wavelength and angle, or along a single angle."""
         one = float(angle[-1]) if np.all(angle == angle[-1]) else None
         key = "map" if one is None else f"{one:g}"
         if key not in self._lookups:
@@ -224,35 +224,3 @@ def _between(logs: Waves, angles: Waves, parts: list[Waves]) -> Callable[[Waves,
         return np.asarray(found[0].T)
 
     return interpolate
-
-
-def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Conditions:
-    """Return conditions with the atlas' central film in place of that of a formula.
-
-    A given film stays; so does the formula's where there are no lengths.
-
-    Raises RangeError outside the atlas, and of oils that it does not hold.
-    """
-    if _keeps_film(conditions):
-        return conditions
-    chart = chart_of(replace(conditions, slip_parameter=conditions.film_slip), atlas)
-    film = chart.film()
-    error = film.central_error + conditions.oil_error + conditions.starvation_error
-    source = f"atlas, within {100 * error:.2g} %"
-    if conditions.is_starved:
-        law = f"R = {conditions.film_ratio:.3g} of the law of starved contacts"
-        source = f"atlas times {law}, within {100 * error:.2g} %"
-    if chart.film_loss and chart.film_source == chart.source:
-        thins = f"up to {100 * chart.film_loss:.2g} % too thick as this one thins"
-        source = f"atlas of Newtonian oils, {thins}, within {100 * error:.2g} %"
-    return replace(
-        conditions,
-        central_film_m=film.central_moes * conditions.metres_per_moes * conditions.film_ratio,
-        film_source=source,
-        central_film_error=error,
-    )
-
-
-def _keeps_film(conditions: Conditions) -> bool:
-    """Return whether the film is given, or there are no lengths."""
-    return conditions.metres_per_moes is None or conditions.has_given_film

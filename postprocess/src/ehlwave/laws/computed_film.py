@@ -21,7 +21,8 @@ MINIMUM_ERROR = 0.05
 LARGEST_LINE = 8192
 """Cells of the refined grids of line contacts at most."""
 LARGEST_GRID, STARVED_SHARE, WARM_SHARE = 2**18, 2, 4
-"""Cells of those of other contacts (3 s on two cores), and divisors of starved and warm ones."""
+"""Cells of other contacts (3 s on two cores), and divisors for starved and warm contacts.
+"""
 
 SOURCE = "computed by ehlwave-case"
 

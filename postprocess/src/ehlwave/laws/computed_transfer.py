@@ -38,23 +38,24 @@ ACCURACY, FINER_ACCURACY = 0.05, 0.015
 LARGE_ERROR = 0.025
 """Absolute error of a computed wave above which it is computed again."""
 TOLERANCE, STARVED_TOLERANCE = 0.01, 0.02
-"""Errors of the interpolation, absolute, below those of the atlases and of the law of starved
-contacts."""
+"""Errors of the interpolation, absolute, below the errors of the atlases and of the law of starved
+contacts.
+"""
 FINE = 161
-"""Points of the tables that stand for the splines."""
+"""Points of the tables that replace the splines."""
 LOGS = np.linspace(math.log(WAVE_RANGE[0]), math.log(WAVE_RANGE[1]), FINE)
 FIRST_ANGLES = (0.0, 45.0, 90.0)
 MOST_ANGLES = 9
 LINE_X = 1000.0
 """Wavelength along X, over a, of waves along a line contact: the program takes no infinite one."""
 MOST_FROZEN = 0.3
-"""Error by temperatures that stay those of the smooth contact, above which there is no answer."""
+"""Largest error by frozen temperatures; above it there is no answer."""
 NEGLIGIBLE_FROZEN = 0.05
-"""The same error below which linear responses answer; above it marches do."""
+"""Error by frozen temperatures below which linear responses answer; above it marches do."""
 MARCHED, MOST_MARCHED, MARCHED_ACCURACY, SMALL = (0.3, 3.0), 13, 0.05, 0.02
 """Marches: wavelengths over a, largest number, accuracy, and Ai over the film."""
 MARCHED_ELLIPSE, MOST_ELLIPSE, FIRST_ELLIPSE = (0.5, 3.0), 9, 5
-"""The same of contacts that are no lines, and the number of their first waves."""
+"""Limits of contacts other than lines, and the number of their first waves."""
 FINER: dict[str, Any] = {"cells_x": 256, "cells_y": 128}
 """Grid of marches that stall on the planned one."""
 MARCHED_COLUMNS = "amplitude_ratio_fit", "phase_fit"
@@ -67,16 +68,16 @@ SOURCE = "computed by ehlwave-sweep"
 class ComputedTransfer(AtlasTransfer):
     """Amplitude and phase of computed waves, interpolated.
 
-    Only the directions that are asked for are computed: one for a trace, several for a map. Waves
-    outside the computed range are continued as those of the atlas.
+    Only the requested directions are computed: one for a trace, several for a map. Waves outside
+    the computed range are continued as in the atlas.
 
     Parameters
     ----------
     conditions : Conditions
         Contact of any shape, oil and slip; flooded or starved.
     heat : Heat, optional
-        Heat data. Temperatures stay those of the smooth contact as waves pass, and the error
-        covers this.
+        Heat data. Temperatures are frozen at the smooth contact as waves pass, and the error covers
+        this.
     progress : callable or False, optional
         As of :meth:`ehlwave.Study.run`.
 
@@ -129,7 +130,7 @@ class ComputedTransfer(AtlasTransfer):
         return found if np.all(np.isfinite(found)) else None  # type: ignore[return-value]
 
     def response(self, wavelength_over_a: float, angle_deg: float) -> Response:
-        """Return film, pressure and error of one wave; its direction is computed.
+        """Return film, pressure and error of a wave; its direction is computed.
 
         Parameters
         ----------
@@ -139,7 +140,7 @@ class ComputedTransfer(AtlasTransfer):
         Raises
         ------
         RangeError
-            If the wavelength lies outside the computed ones.
+            If the wavelength lies outside the computed range.
         ProgramError
             If there is no program, or if it does not solve the waves.
         """
@@ -172,7 +173,7 @@ class ComputedTransfer(AtlasTransfer):
         return found
 
     def curve(self, angle_deg: float) -> Responses:
-        """Return the computed responses along one direction, in degrees from rolling."""
+        """Return the computed responses along a direction, in degrees from rolling."""
         angle = round(float(angle_deg), 6)
         if angle not in self._curves:
             bases: list[Base] = [no_base]
@@ -190,7 +191,7 @@ class ComputedTransfer(AtlasTransfer):
         return self._curves[angle]
 
     def _rows(self, waves: Waves, angle: float) -> Sequence[Result]:
-        """Compute linear responses of one direction."""
+        """Compute linear responses of a direction."""
         keys, every = self._keys, self._columns(waves, angle)
         if 0 < angle < 90 or self._conditions.is_starved:  # products of cosines have another rise
             keys = keys | {"mean_rise": False}
@@ -225,7 +226,7 @@ class ComputedTransfer(AtlasTransfer):
         return self._frozen_error(rows) > NEGLIGIBLE_FROZEN
 
     def _marches(self, waves: Waves, angle: float) -> Sequence[Result]:
-        """Compute marches of one direction that carry the temperatures of oil and surfaces."""
+        """Compute marches of a direction that carry the temperatures of oil and surfaces."""
         keys = self._keys | {
             "response": "transient",
             "amplitude_over_film": SMALL,
@@ -235,7 +236,7 @@ class ComputedTransfer(AtlasTransfer):
         }
         every = self._columns(waves, angle)
         rows = run_waves(keys, every, self._progress)
-        # Marches that stall on a coarse grid are followed on a finer one.
+        # Marches that stall on a coarse grid are repeated on a finer grid.
         stalled = [k for k, row in enumerate(rows) if not is_usable(row)]
         finer = keys | {"accuracy": None} | FINER
         if self._conditions.is_line:
@@ -258,7 +259,7 @@ class ComputedTransfer(AtlasTransfer):
         return max((one for one in found if math.isfinite(one)), default=0.0)
 
     def _judge_heat(self, rows: Sequence[Result]) -> None:
-        """Keep the error by frozen temperatures; refuse contacts where it says too little."""
+        """Keep the error by frozen temperatures; refuse contacts where it is unreliable."""
         if self._heat is None:
             return
         self._frozen = max(self._frozen, self._frozen_error(rows))
@@ -323,7 +324,7 @@ class ComputedTransfer(AtlasTransfer):
             tables[middle] = new
             if error.max() > 4 * TOLERANCE:
                 open_ += [(low, middle), (middle, high)]
-        for low, high in open_:  # what no wave was computed for counts as a difference of two
+        for low, high in open_:  # a missing response counts as a difference of two
             for end in (low, high):
                 other = high if end == low else low
                 gap = tables[low][:2] - tables[high][:2]

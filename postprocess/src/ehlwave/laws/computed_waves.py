@@ -1,4 +1,4 @@
-"""Responses along one direction: computed waves, refined until their interpolation is known.
+"""Responses along a direction: computed waves, refined until their interpolation converges.
 
 Waves lie evenly over ln wavelength. Those half-way between are computed next and compared with the
 interpolation by the others, which gives its error; intervals with too large errors are halved.
@@ -37,7 +37,7 @@ where responses are smooth."""
 
 @dataclass(frozen=True)
 class Responses:
-    """Responses along one direction, at computed waves.
+    """Responses along a direction, at computed waves.
 
     Attributes
     ----------
@@ -103,7 +103,7 @@ def refined(
     tolerance : float
         Absolute error of the interpolation.
     bases : sequence of callable
-        Of these the one with the smallest errors is taken.
+        Of these the response with the smallest errors is taken.
     most : int
         Largest number of waves.
     first : int
@@ -133,7 +133,7 @@ def refined(
 
 
 def film_of(row: Result) -> complex:
-    """Return the response of the film at mesh size 0; on the grid where no coarser one can tell."""
+    """Return the film response at mesh size 0, or on the grid itself without a coarser grid."""
     return _complex(row, "harmonic_extrapolated", "harmonic")
 
 
@@ -176,7 +176,7 @@ def _merged(
     errors: Waves,
     halves: NDArray[np.intp],
 ) -> tuple[Waves, list[Result], Waves]:
-    """Return waves, rows and errors of intervals with those of the halved intervals."""
+    """Return waves, rows and errors of intervals with the halved intervals."""
     errors = np.nan_to_num(errors, nan=0.0)  # waves that cannot be computed are judged later
     between = between.copy()
     between[halves] = errors

@@ -22,7 +22,7 @@ def film_of(
     heat: Heat | None,
     eyring_stress_pa: float | None,
 ) -> Film:
-    """Return what :meth:`ehlwave.Contact.film` does.
+    """Return the result of :meth:`ehlwave.Contact.film`.
 
     Parameters
     ----------

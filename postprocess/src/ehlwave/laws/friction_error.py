@@ -1,4 +1,4 @@
-"""What errors of the oil's data make of friction, with heat and without.
+"""Effect of errors of the oil's data on friction, with heat and without.
 
 Friction goes nearly as the viscosity under the contact's pressure, which grows exponentially with
 alpha: it is computed anew, by the laws of :mod:`ehlwave.laws.heat_laws`, at the ends of all errors.
@@ -20,8 +20,9 @@ def error_by_data(
 ) -> float:
     """Return by how much friction changes, relative, where the oil's data change by their errors.
 
-    Those of viscosity, pressure-viscosity coefficient and conductivity, each at both ends; what
-    raises friction multiplies, and what lowers it does. The film changes as by the film formula.
+    Errors of viscosity, pressure-viscosity coefficient and conductivity, each at both ends. Factors
+    that raise friction multiply; so do factors that lower it. The film changes as by the film
+    formula.
 
     Parameters
     ----------

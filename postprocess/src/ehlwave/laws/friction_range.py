@@ -1,8 +1,8 @@
-"""What the friction of the atlas leaves open: slight slip, and oil outside its domain.
+"""Parts missing in the friction of the atlas: slight slip, and oil outside its domain.
 
 Friction of the atlas is relative to the mean of asinh(B) under the Hertz pressure. Where slip is
-slight, B is about 1: friction goes as the mean of the viscosity, on which the pressure spike and
-the ends of the contact count, and no longer as that of its logarithm.
+slight, B is about 1: friction goes as the mean of the viscosity, to which the pressure spike and
+the ends of the contact contribute, not as the mean of its logarithm.
 """
 
 import math
@@ -21,11 +21,12 @@ DOMAIN_X, DOMAIN_Y = 2.5, 2.0
 """Ends of the domain of the atlas, upstream and across, in semi-axes."""
 
 WITH_DOWNSTREAM, FEWEST_DOMAINS = 1.3, 2.0
-"""Of the friction outside over that upstream, and how far out it counts at least, in domains: those
-of ``src/reynolds/shear_stress.f90`` and ``src/run/film_errors.f90``."""
+"""Ratio of the friction outside to the friction upstream, and the least distance in domains, as in
+``src/reynolds/shear_stress.f90`` and ``src/run/film_errors.f90``.
+"""
 
 ANGLES, STEPS = 48, 64
-"""Of the sum over the oil outside."""
+"""Points of the sum over the oil outside."""
 
 SLIGHT_SLIP, SLIGHTEST_SLIP = 0.1, 1e-3
 """Deviations of S from 1: friction is less well known below the first, and below the second as
@@ -35,8 +36,9 @@ SLIGHT_SLIP_ERROR, THICKENED = 1.6, 10.0
 """Times M^(-1/2) the relative error of friction that slight slip adds at most, where alpha ph is
 the latter or more; in proportion below. 95 % of drawn contacts keep to it."""
 LINE_ERROR = 0.06
-"""That of lines, whatever M: few contacts of their atlas slip so little. Without it 10 of 68
-drawn lines with S within 0.00003 to 0.1 of 1 were outside their error, by up to 2.3 times."""
+"""Error of lines at any M: few contacts of their atlas slip so little. Without it 10 of 68 drawn
+lines with S within 0.00003 to 0.1 of 1 were outside their error, by up to 2.3 times.
+"""
 
 
 def slight_slip_error(conditions: Conditions) -> float:
@@ -95,7 +97,7 @@ def _far_line_film(x: Floats) -> Floats:
 
 
 def _far_film(kappa: float, x: Floats, y: Floats) -> Floats:
-    """Return H far outside a dry elliptical contact: the deflection is that of a point load."""
+    """Return H far outside a dry elliptical contact: the deflection equals a point load's."""
     k = first_integral(kappa)
     k_minus_e, b = integral_combinations(kappa)
     along = b / (b + k_minus_e)

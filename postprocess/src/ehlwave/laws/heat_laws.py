@@ -1,8 +1,8 @@
 """Films and friction with heat: laws fitted to computed contacts, ``scripts/study heat``.
 
 The inlet is warmed by its own shear, which thins the film; where surfaces slide, the film between
-them is warmed, which makes it easier to shear. Friction is that of :mod:`ehlwave.laws.sheared_film`
-times a factor near 1, whose coefficients and errors stand in ``postprocess/record/heat/laws.csv``.
+them is warmed, which makes it easier to shear. Friction follows :mod:`ehlwave.laws.sheared_film`,
+times a factor near 1, whose coefficients and errors are in ``postprocess/record/heat/laws.csv``.
 The warm inlet has a law of its own, :mod:`ehlwave.laws.inlet_warming`.
 """
 
@@ -22,17 +22,18 @@ from ehlwave.laws.warm_films import film_error, smallest_factor
 Floats = NDArray[np.float64]
 
 FRICTION_COEFFICIENTS = (0.25537, 0.67337, 0.25624, 0.42594, 0.23419, 0.36664, 56.145)
-"""Of :func:`friction_factor`."""
+"""Coefficients of :func:`friction_factor`."""
 FRICTION_BAR, COLD_BAR = 0.12, 0.03
 """Relative errors of friction with and without heat: 95 % of contacts held out are within. Errors
-of films are those of :func:`ehlwave.laws.warm_films.film_error`."""
+of films come from :func:`ehlwave.laws.warm_films.film_error`."""
 ELLIPSE_BAR = 0.05
-"""More relative error of friction in ellipses: without it 4 of 32 fresh ones are outside."""
+"""More relative error of friction in ellipses: without it 4 of 32 fresh contacts are outside."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
-"""Of :func:`wedge` in the film. Fitted to 187 contacts of unlike bodies, whose films are within
-0.08 for 95 % of them, without 0.14."""
+"""Power of :func:`wedge` in the film. Fitted to 187 contacts of unlike bodies, whose films are
+within 0.08 for 95 % of them, without 0.14.
+"""
 RANGES = {
     "load_parameter_m": (5.0, 1500.0),
     "lubricant_parameter_l": (2.0, 20.0),
@@ -45,7 +46,7 @@ RANGES = {
     "eta0 beta u^2/k": (0.0, 4.0),
     "effusivity of a body": (1.35e3, 1.5e4),
 }
-"""Of the contacts that the laws were fitted to; D is 0 (lines) or 0.2 to 1 besides."""
+"""Ranges of the fit of the laws; D is 0 (lines) or 0.2 to 1."""
 LOWEST_RATIO = 0.2
 
 
@@ -64,14 +65,14 @@ class Heated:
         Smallest film with heat over that without; None where surfaces slide and their rise is not
         known.
     film_error, minimum_error : float
-        Of the central and the smallest film, relative: of the laws, which grows with the loss by
-        the inlet and the rise of the surfaces, and what the error of the conductivity makes of it.
+        Central and smallest film, relative: error of the laws, which grows with the loss by the
+        inlet and the rise of the surfaces, and effect of the error of the conductivity.
     friction, isothermal_friction : float or None
         Friction coefficients with and without heat; None in pure rolling and of other oils than
         Ree-Eyring's.
     friction_error : float or None
-        Of the former, relative: of the law, and what errors of viscosity, pressure-viscosity
-        coefficient and conductivity make of it. That of the film comes besides.
+        Friction, relative: error of the law, and effect of errors of viscosity, pressure-viscosity
+        coefficient and conductivity. The film error is added.
     rise_mid_film_k, rise_surfaces_k : float
         Rises at the centre of the contact, K; 0 where friction is not known.
     """
@@ -89,25 +90,25 @@ class Heated:
 
 
 def wedge(heat: Heat, slide_to_roll_ratio: float, rise_surfaces_k: float) -> float:
-    """Return by what bodies that conduct heat differently thicken a film, over like ones.
+    """Return the film between bodies of different conductivity over the film between like bodies.
 
     Viscosity that falls evenly across the film by exp(-d), d = beta times the rise of the faster
-    surface over the slower one, lets the mean of the oil move at 1/d - 1/(e^d - 1) of the way from
-    the slower speed to the faster one, in place of 1/2. The film grows as that speed falls. Each
-    surface is taken to get half of the heat.
+    surface over the slower surface, lets the mean of the oil move at 1/d - 1/(e^d - 1) of the way
+    from the slower to the faster speed, in place of 1/2. The film grows as that speed falls. Each
+    surface receives half of the heat.
 
     Parameters
     ----------
     heat : Heat
         Of both bodies.
     slide_to_roll_ratio : float
-        Positive where the first surface is the faster one.
+        Positive where the first surface is faster.
     rise_surfaces_k : float
         Mean rise of both surfaces.
 
     Examples
     --------
-    A steel ball that slides on a glass disc; the steel is the faster one, then the glass:
+    A steel ball that slides on a glass disc; the steel is faster, then the glass:
 
     >>> import ehlwave
     >>> from ehlwave.laws.heat_laws import wedge
@@ -136,7 +137,7 @@ def friction_factor(
     slide_to_roll_ratio: ArrayLike,
     coefficients: ArrayLike = FRICTION_COEFFICIENTS,
 ) -> Floats:
-    """Return friction over that of an even film under Hertz pressure.
+    """Return friction over the friction of an even film under Hertz pressure.
 
     exp(-c1 H^c2 (1 + c3 e)/(1 + c4 t) - c5 L_T^c6/(1 + c7 s)): thick films have lower pressures
     than Hertz', which stresses t below the Eyring stress feel most, and ellipses (e = 1) more than
@@ -172,7 +173,7 @@ def warmed(
 ) -> Heated:
     """Return film and friction of a contact with heat, errors as of contacts within the ranges.
 
-    Arguments are those of :func:`ehlwave.laws.heated_contact.heated`, which refuses others.
+    Arguments as in :func:`ehlwave.laws.heated_contact.heated`, which refuses others.
     """
     given, ratio = dict(conditions.given), 2 * (conditions.slip_parameter - 1)
     u, error = float(given["mean_speed_m_per_s"]), heat.oil_conductivity_error
@@ -236,7 +237,7 @@ def warmed(
 
 
 def _thicker(heat: Heat, found: Sheared) -> float:
-    """Return by what a film grows as its oil expands, over that of the cold oil."""
+    """Return the growth of a film as its oil expands, over the cold oil."""
     return 1 / (1 - min(heat.oil_expansion_per_k * found.rise_mean_k, 0.5))
 
 

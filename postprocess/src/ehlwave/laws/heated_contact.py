@@ -50,7 +50,7 @@ def check_heat(conditions: Conditions, heat: Heat) -> None:
 
 
 def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float | None) -> None:
-    """Refuse what lies outside the contacts of the fit."""
+    """Refuse contacts outside the fit."""
     oil = conditions.oil
     values = {
         "load_parameter_m": [conditions.m],

@@ -17,21 +17,21 @@ from ehlwave.laws import inlet_coefficients as table
 Floats = NDArray[np.float64]
 
 FILM_EXPONENT = 0.67
-"""Of viscosity in the film thickness (Hamrock and Dowson 1977)."""
+"""Exponent of viscosity in the film thickness (Hamrock and Dowson 1977)."""
 LEAST_FACTOR = 0.05
 """Keeps the rough estimate positive far beyond its range."""
 
 
 @dataclass(frozen=True)
 class InletWarming:
-    """What the warm inlet takes from an isothermal film.
+    """Loss of an isothermal film by a warm inlet.
 
     Attributes
     ----------
     loss : float
         Share of the isothermal central film.
     error : float or None
-        Of that share; None where no contact like it was among those of the fit.
+        Error of that share; None where the fit has no contact like it.
     rise_k : float
         Temperature rise of the oil in the inlet that thins a film by as much, K.
     """
@@ -75,9 +75,9 @@ def thermal_loading(
 
 
 def wall_parameter(heat: Heat, film_m: float, semi_axis_a_m: float, speed_m_per_s: float) -> float:
-    """Return B = (k/h)(a/u)^(1/2) times the mean of one over the effusivities.
+    """Return B = (k/h)(a/u)^(1/2) times the mean of the reciprocal effusivities.
 
-    The rise of the surfaces over that of the film, as one flow of heat makes both.
+    The rise of the surfaces over the rise of the film, for a common flow of heat.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def inlet_factor(
     radius_ratio_d: ArrayLike,
     coefficients: ArrayLike = table.COEFFICIENTS,
 ) -> Floats:
-    """Return by what the shear of the inlet thins a film, eq. (T15).
+    """Return the share by which the shear of the inlet thins a film, eq. (T15).
 
     1/(1 + y) with y = c1 L_t^c2 (1 + c3 s^c4) (1 + c5 B^c6) G^(c7 + c8 D) exp(c9 D) and
     G = H/(1 + c10 H^(3/2)).
@@ -132,7 +132,7 @@ def inlet_factor(
     radius_ratio_d : array_like
         D; 0 of a line contact.
     coefficients : array_like
-        Those of the record.
+        Coefficients of the record.
 
     Examples
     --------
@@ -171,14 +171,14 @@ def loss_error(loss: float, slide_to_roll_ratio: float) -> float:
 def inlet_warming(
     conditions: Conditions, film_m: float | None = None, heat: Heat | None = None
 ) -> InletWarming:
-    """Return what the warm inlet takes from the isothermal film of a contact.
+    """Return the loss of the isothermal film of a contact by a warm inlet.
 
     Parameters
     ----------
     conditions : Conditions
         From dimensional data.
     film_m : float, optional
-        Central film without heat, m; by default that of the conditions.
+        Central film without heat, m; by default the film of the conditions.
     heat : Heat, optional
         Of oil and bodies; by default a usual mineral oil between bodies of steel.
 
@@ -220,7 +220,7 @@ def inlet_warming(
 
 
 def _is_within(conditions: Conditions, loading: float, thick: float, ratio: float) -> bool:
-    """Return whether contacts like it were among those of the fit."""
+    """Return whether the fit covers contacts like it."""
     ranges = (
         (conditions.m, table.M_RANGE),
         (conditions.l, table.L_RANGE),

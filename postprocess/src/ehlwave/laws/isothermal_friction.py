@@ -1,4 +1,4 @@
-"""What errors of the oil's data make of friction without heat."""
+"""Effect of errors of the oil's data on friction without heat."""
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.scales import moes_per_film
@@ -10,11 +10,11 @@ from ehlwave.laws.sheared_film import Sliding, shear_isothermal
 def isothermal_error_by_data(
     conditions: Conditions, film_moes: float, eyring_stress_pa: float
 ) -> float:
-    """Return what errors of the oil's data make of friction without heat, relative.
+    """Return the effect of errors of the oil's data on friction without heat, relative.
 
     `film_moes`: the central film in the Moes scale.
 
-    Friction depends on the rate eta0 u/h, not on the size: Rx = 1 m, eta0 = 1 Pa s stand for any,
+    Friction depends on the rate eta0 u/h, not on the size: Rx = 1 m, eta0 = 1 Pa s represent any,
     with u and h by M, L and D: 2U = (L/(alpha E'))^4 = 2 eta0 u/(E' Rx), h = H Rx (2U)^(1/2).
     """
     oil = conditions.oil

@@ -1,4 +1,4 @@
-"""Warnings about the answers of laws: one list for every door of the package."""
+"""Warnings about the answers of laws: a common list for all entry points of the package."""
 
 from __future__ import annotations
 

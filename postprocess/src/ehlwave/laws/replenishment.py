@@ -1,8 +1,8 @@
 """Film of a starved track over time, where no oil comes back: overrollings and slow side flow.
 
-Equation numbers are those of ``src/theory.md``. Two losses are known: oil that the inlet pushes
+Equation numbers refer to ``src/theory.md``. Two losses are included: oil that the inlet pushes
 aside at every overrolling (C5), and oil that the pressure in the contact drives to the sides (C6),
-(C7). Films of contacts computed one behind another follow both together (C9).
+(C7). Films of contacts in series follow both together (C9).
 
 Not in here: oil that comes back, by bleeding of the grease or by flow into the track.
 """
@@ -30,7 +30,7 @@ TIME_FACTOR = 2.0
 """Measured films decay that much faster or slower than by (C6): van Zoelen, Venner and Lugt."""
 POINTS = 61
 PIECES = 2000
-"""Of a track at most, on each of which g and the film behind count as constant."""
+"""Pieces of a track, at most, on each of which g and the film behind are constant."""
 MOST_OVERROLLINGS = 1e12
 FILMS = ("inlet", "side_flow", "film_over_flooded")
 """Columns of films over the flooded one: by either loss alone, and by both."""
@@ -38,15 +38,15 @@ FILMS = ("inlet", "side_flow", "film_over_flooded")
 
 @dataclass(frozen=True)
 class Track:
-    """What films over time depend on besides r."""
+    """Parameters of films over time besides r."""
 
     conditions: Conditions
-    """Of the starved contact, from dimensional data."""
+    """Conditions of the starved contact, from dimensional data."""
     length_m: float
-    """Of the tracks of both bodies together, m."""
+    """Length of the tracks of both bodies together, m."""
 
     def __post_init__(self) -> None:
-        """Refuse what has no film in metres, no viscosity or another oil."""
+        """Refuse contacts without film in metres or viscosity, or with another oil."""
         c = self.conditions
         if not c.is_starved:
             raise SurfaceError("oil_over_flooded is missing: say how much oil there is at first")
@@ -177,14 +177,14 @@ def by_both_losses(
 ) -> Floats:
     """Return R of overrollings by both losses, (C9).
 
-    Half of the side flow is upstream of the centre. The inlet and it remove oil there, the law for
-    R has both, and whichever says more counts; the other half follows. Many overrollings are taken
-    at once where little changes.
+    Half of the side flow is upstream of the centre. The inlet and this half remove oil there; the
+    law for R has both, and the larger loss counts; the other half follows. Many overrollings are
+    taken at once where little changes.
 
     Parameters
     ----------
     conditions : Conditions
-        With ``oil_over_flooded``: what the first overrolling finds.
+        With ``oil_over_flooded``at the first overrolling.
     overrollings : array_like
         Which, in order, from 1.
     growth : float
@@ -215,16 +215,16 @@ def replenish(conditions: Conditions, track_length_m: float, overrollings: float
     Parameters
     ----------
     conditions : Conditions
-        Dimensional, with ``oil_over_flooded``: what the first overrolling finds.
+        Dimensional, with ``oil_over_flooded``at the first overrolling.
     track_length_m : float
-        Length of the tracks of both bodies together, of one contact, m.
+        Length of the tracks of both bodies together, of a contact, m.
     overrollings : float
         How many, at least 2.
 
     Returns
     -------
     pandas.DataFrame
-        ``overrollings``, ``time_s`` since the first; film over the flooded one by overrollings
+        ``overrollings``, ``time_s`` since the first; film over the flooded film by overrollings
         alone (``inlet``), by side flow alone (``side_flow``) and by both losses
         (``film_over_flooded``), each with ``_low`` and ``_high``; ``film_m``; ``is_inside``:
         whether films by the inlet and by both are in the range of r of the law for R.

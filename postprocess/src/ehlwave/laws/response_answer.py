@@ -1,4 +1,4 @@
-"""Response of a contact to one wave: a surface of one component."""
+"""Response of a contact to a wave: a surface with a single component."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from ehlwave.laws.transfer import Transfer, Waves
 def response_of(
     transfer: Transfer, conditions: Conditions, wavelength_over_a: float, angle_deg: float
 ) -> Response:
-    """Return the response to one wave by a transfer.
+    """Return the response to a wave by a transfer.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def response_of(
 
 
 def one_wave(wavelength_m: float, angle_deg: float) -> tuple[Waves, Waves]:
-    """Return waves per metre along x and y of one wave, as arrays of one number."""
+    """Return waves per metre along x and y of a wave, as arrays of a single number."""
     angle = np.radians(angle_deg)
     along = 0.0 if angle_deg >= 90 else float(np.cos(angle))
     across = 0.0 if angle_deg == 0 else float(np.sin(angle))

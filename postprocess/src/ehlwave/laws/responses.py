@@ -1,4 +1,4 @@
-"""Responses of one contact to many waves, as a labelled dataset and a figure."""
+"""Responses of a contact to many waves, as a labelled dataset and a figure."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
@@ -33,11 +33,11 @@ VARIABLES = {
 
 
 WITHOUT_PHASE = ("film_amplitude", "film_error")
-"""Of starved contacts, whose law has no phase and no pressure."""
+"""Columns of starved contacts, whose law has no phase and no pressure."""
 
 
 class OneResponse(Protocol):
-    """A response; :class:`ehlwave.Response` is one."""
+    """A response, as :class:`ehlwave.Response`."""
 
     @property
     def film(self) -> complex:
@@ -49,11 +49,11 @@ class OneResponse(Protocol):
 
     @property
     def error(self) -> float:
-        """Of the film."""
+        """Response of the film."""
 
     @property
     def source(self) -> str:
-        """What it was taken from."""
+        """Source."""
 
 
 def response_table(
@@ -65,7 +65,7 @@ def response_table(
 ) -> xr.Dataset:
     """Return the responses over wavelength and angle; waves outside the range are NaN.
 
-    `respond` answers for one wave, :meth:`ehlwave.Contact.response`.
+    `respond` answers for a wave, :meth:`ehlwave.Contact.response`.
     """
     angles_of_all = (0.0,) if conditions.is_line else DEFAULT_ANGLES
     waves = DEFAULT_WAVES if wavelength_over_a is None else wavelength_over_a

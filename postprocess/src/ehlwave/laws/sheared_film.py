@@ -1,8 +1,8 @@
 """Shear stress, friction and temperatures of a sliding film, place by place under Hertz pressure.
 
-The film has one thickness. Where convection and pressure gradients are left out, a film whose
-viscosity falls as exp(-beta theta) is known in closed form, (T8) of ``src/theory.md``; surfaces are
-warmed by the heat that passed before, (T7). Friction is the integral of the stress over the load.
+The film has a uniform thickness. Without convection and pressure gradients, a film whose viscosity
+falls as exp(-beta theta) has a closed form, (T8) of ``src/theory.md``; surfaces are warmed by the
+heat that passed before, (T7). Friction is the integral of the stress over the load.
 """
 
 from dataclasses import dataclass
@@ -134,9 +134,9 @@ def _half_order() -> Floats:
 
 
 def _wall_factor(case: Sliding, heat: Heat) -> float:
-    """Return by what the mean of both surfaces is warmer for the integral of the heat before.
+    """Return the mean rise of both surfaces for the integral of the earlier heat.
 
-    Half of the heat goes to each surface, and what flows through the film to the colder one.
+    Half of the heat goes to each surface, plus the flow through the film to the colder surface.
     """
     a, k = case.semi_axis_a_m, heat.oil_conductivity_w_per_m_k
     one, two = (

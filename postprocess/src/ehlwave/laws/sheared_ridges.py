@@ -1,4 +1,4 @@
-"""Ridges along rolling under slip: they stand still, but feel how slip thins the oil between them.
+"""Ridges along rolling under slip: they are stationary, but slip thins the oil between them.
 
 A ridge that the inlet has flattened to R regains height on its way to the centre, as its pressure
 drives oil across it: with the flow along Y of :class:`ehlwave.contact.medium.Medium`,
@@ -10,7 +10,7 @@ integral I of the difference of both rates under the Hertz pressure, from X = -0
 
     h = 1 - (1 - R) exp(-c1 I^c2)
 
-In a Newtonian oil slip changes no rate, so that h = R. c1, c2 and the error are those of
+In a Newtonian oil slip changes no rate, so that h = R. c1, c2 and the error come from
 ``scripts/study judged``, which writes ``sheared_ridges.json``.
 """
 
@@ -109,7 +109,7 @@ def ridges_under_slip(
 
 
 def error_of(change: ArrayLike, coefficients: Sequence[float] | Floats | None = None) -> Floats:
-    """Return the absolute error of what slip changes, units of Ai; 0 where it changes nothing."""
+    """Return the absolute error of the change by slip, units of Ai; 0 where there is none."""
     c = fitted()["error"] if coefficients is None else coefficients
     amount = np.asarray(change, dtype=np.float64)
     return np.asarray(c[0] * np.minimum(amount / FULL, 1) + c[1] * amount)

@@ -1,4 +1,4 @@
-"""Ridges along rolling stand still: in a Newtonian oil they do not feel slip."""
+"""Ridges along rolling are stationary: in a Newtonian oil slip does not affect them."""
 
 from dataclasses import dataclass
 from typing import Any

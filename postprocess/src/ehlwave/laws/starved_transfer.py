@@ -39,8 +39,8 @@ def check_starved(conditions: Conditions) -> None:
 class StarvedTransfer:
     """Ad/Ai of :func:`ehlwave.contact.starvation.starved_ratio`: real, no phase, pure rolling.
 
-    Waves that the law was not fitted to are continued by its form. Their error counts as large as
-    what is continued: what shorter waves lose, what is left of longer ones.
+    Waves that the law was not fitted to are continued by its form. Their error is as large as the
+    continuation: the loss of shorter waves, the rest of longer waves.
 
     Raises RangeError (a ValueError) if R, M, L or D lies outside the range of the law, the contact
     slides, or the oil has other laws of viscosity or density than the contacts of the fit.
@@ -88,7 +88,7 @@ class StarvedTransfer:
         """Return None: the law does not have it."""
 
     def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
-        """Return the error of Ad/Ai, absolute: that of the law, and what is continued."""
+        """Return the error of Ad/Ai, absolute: error of the law, and the continuation."""
         c = self.conditions
         both = self._both(per_length_x, per_length_y)
         error = ratio_error(c.film_ratio, c.m, c.l, c.gamma, *self._waves(*both))
@@ -99,7 +99,7 @@ class StarvedTransfer:
         return np.where(self._is_mean(*both), 0.0, error)
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
-        """Return whether a wave is among those of the fit."""
+        """Return whether the fit covers a wave."""
         along, across = self._both(per_length_x, per_length_y)
         with np.errstate(divide="ignore"):
             wave = 1 / (np.hypot(along, across) * self.conditions.semi_axis_a_m)
@@ -111,7 +111,7 @@ class StarvedTransfer:
         return along, across
 
     def _waves(self, along: Waves, across: Waves) -> list[Waves]:
-        """Return wavelengths over a; zero for infinite ones."""
+        """Return wavelengths over a; zero for infinite wavelengths."""
         a_m = self.conditions.semi_axis_a_m
         with np.errstate(divide="ignore"):
             return [np.where(q > 0, 1 / (q * a_m), 0.0) for q in (along, across)]

@@ -1,4 +1,4 @@
-"""Which operating conditions of a harmonic table stand for a contact, with which weights."""
+"""Which operating conditions of a harmonic table represent a contact, and their weights."""
 
 import numpy as np
 import pandas as pd
@@ -20,7 +20,7 @@ def weighted_conditions(
 
     The contact's own condition alone, if the table has it to 1 per cent. Otherwise linear
     interpolation in (log M, log L, log D), in as many directions as the table's conditions span: a
-    table of one contact at several speeds spans one.
+    table of a contact at several speeds spans one.
 
     Raises SurfaceError if the contact does not lie among the table's conditions of the same slip
     and oil; line contacts.

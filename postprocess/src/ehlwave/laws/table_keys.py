@@ -1,6 +1,6 @@
-"""Which keys of a case its response depends on: what harmonic tables carry and are matched by.
+"""Keys that determine the response of a case: harmonic tables contain and match them.
 
-Every key of the programs stands in one of the groups of :mod:`ehlwave.inputs.key_classes`.
+Every key of the programs is in a group of :mod:`ehlwave.inputs.key_classes`.
 """
 
 from collections.abc import Mapping
@@ -31,13 +31,13 @@ CLASSIFIED = IN_COLUMNS | OF_THE_SOLUTION | WITHOUT_EFFECT | OF_THE_HEAT | froze
 WORDS = ("edges", "load_balance", "viscosity_table", "oil_profile")
 """Keys whose values are text, besides the laws of the oil."""
 STRESSES = ("eyring_stress_pa", "carreau_modulus_pa")
-"""Of oils that shear thins."""
+"""Stresses of shear-thinning oils."""
 
 
 def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:
     """Return the columns of the keys that a response depends on, of the points of a sweep.
 
-    Raises ResultsError if the points have heat, or differ in a key that this version does not know.
+    Raises ResultsError if the points have heat, or differ in an unknown key.
     """
     inputs = _inputs(points)
     if any(key in OF_THE_HEAT for one in inputs for key in one):

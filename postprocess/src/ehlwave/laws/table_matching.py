@@ -20,13 +20,13 @@ FLOW_LAWS = {"Newtonian": "newtonian", "Ree-Eyring": "eyring", "Carreau": "carre
 
 
 def matching_rows(rows: pd.DataFrame, conditions: Conditions, name: str) -> pd.DataFrame:
-    """Return the rows of a table whose keys are those of a contact.
+    """Return the rows of a table whose keys match a contact.
 
     Numbers are the same within 1 per cent, as M, L and D; of a stress its product with the reduced
     modulus is. A key that the table does not have, or that does not apply, is not compared.
 
-    Raises SurfaceError if there are none, naming the key and both values; if rows are left that
-    differ in a key of which the contact says nothing, or that have two responses to one wave.
+    Raises SurfaceError if there are none, naming the key and both values; if the remaining rows
+    differ in a key that the contact does not set, or have two responses to a wave.
     """
     slides = conditions.slip_parameter != 1 and conditions.oil.stress_modulus_pa2 is not None
     if slides and "flow_law" not in rows:
@@ -92,7 +92,7 @@ def _of_same_stress(rows: pd.DataFrame, conditions: Conditions, name: str) -> pd
 
 
 def _of_same_inlet(rows: pd.DataFrame, conditions: Conditions, name: str) -> pd.DataFrame:
-    """Return the rows with as much oil: of a flooded contact those that say nothing of it."""
+    """Return the rows with as much oil: for a flooded contact the rows without such a key."""
     r = conditions.oil_over_flooded
     is_other = pd.Series(False, index=rows.index)
     for key in OF_THE_INLET:
@@ -110,7 +110,7 @@ def _of_same_inlet(rows: pd.DataFrame, conditions: Conditions, name: str) -> pd.
 
 
 def _refuse_varying(rows: pd.DataFrame, name: str) -> None:
-    """Refuse rows that differ in a key of which the contact says nothing."""
+    """Refuse rows that differ in a key that the contact does not set."""
     compared = {*STRESSES, "reduced_modulus_pa", "pressure_viscosity_per_pa", "roelands_index"}
     for key in CARRIED:
         if key not in rows or key in compared:
@@ -146,7 +146,7 @@ def refuse_two_responses(rows: pd.DataFrame, place: str) -> None:
 
 
 def _is_same(found: object, wanted: float | str) -> bool:
-    """Return whether a value of a table is a contact's; one that is not there is."""
+    """Return whether a value of a table is a contact's; a missing value always does."""
     if found is None or found != found:
         return True
     if isinstance(wanted, str) or isinstance(found, str):

@@ -1,17 +1,18 @@
 """Read harmonic tables.
 
-A table has one row per wave: the operating condition ``M``, ``L``, ``D``, and ``slip_parameter``
-(1 if absent) or ``slide_to_roll_ratio``; the wave by ``lambda_x_over_a`` and ``lambda_y_over_b``,
-0 standing for infinite, or by ``lambda_over_a`` (the smaller, both in units of a) and ``r`` =
+A table has a row per wave: the operating condition ``M``, ``L``, ``D``, and ``slip_parameter`` (1
+if absent) or ``slide_to_roll_ratio``; the wave by ``lambda_x_over_a`` and ``lambda_y_over_b``, 0
+for infinite, or by ``lambda_over_a`` (the smaller, both in units of a) and ``r`` =
 lambda_x/lambda_y; and the transfer by ``transfer_real`` and ``transfer_imag``, or by
-``amplitude_ratio``, which has no phase.
-CSV, or HDF5 with one dataset per column.
+``amplitude_ratio``, which has no phase. CSV, or HDF5 with a dataset per column.
 
 The transfer is the ratio of the film's component at the contact centre to the surface's, both
 written as exp(i qx x) with x counted on the surface along its motion.
 
-``mean_rise``, which may be absent, is what one such wave of amplitude A adds to the mean film at
-the contact centre, to second order: (mean film less smooth film)/film = ``mean_rise`` (A/film)^2.
+``mean_rise``, which may be absent, is the rise of the mean film at the contact centre by such a
+wave of amplitude A, to second order: (mean film less smooth film)/film = ``mean_rise`` (A/film)^2.
+
+``transfer_error``, which may be absent, is the absolute error of the transfer.
 
 Other keys that a response depends on (:mod:`ehlwave.laws.table_keys`) are columns of their names;
 a table serves contacts whose keys are its own.
@@ -33,6 +34,8 @@ from ehlwave.laws.table_keys import table_columns
 from ehlwave.laws.table_matching import refuse_two_responses
 
 CONDITION_COLUMNS = ("M", "L", "D")
+OPTIONAL = ("mean_rise", "transfer_error")
+"""Columns of numbers that a table need not have."""
 
 
 def read_table(path: str | Path) -> pd.DataFrame:
@@ -43,7 +46,8 @@ def read_table(path: str | Path) -> pd.DataFrame:
     pandas.DataFrame
         Columns ``M``, ``L``, ``D``, ``slip_parameter``, ``angle`` = arctan(lambda_x/lambda_y),
         ``log_wave`` = log(f(r) min(lambda)/a), ``transfer_real``, ``transfer_imag``, ``mean_rise``
-        (NaN where it is not known). Rows without a finite transfer are left out.
+        and ``transfer_error`` (NaN where they are not known). Rows without a finite transfer are
+        left out.
 
     Raises
     ------
@@ -103,7 +107,8 @@ def table_rows(raw: pd.DataFrame, place: str) -> pd.DataFrame:
     else:
         rows["transfer_real"], rows["transfer_imag"] = raw["amplitude_ratio"], 0.0
     finite = np.isfinite(rows.drop(columns="slip_parameter")).all(axis=1)
-    rows["mean_rise"] = raw.get("mean_rise", np.nan)
+    for column in OPTIONAL:
+        rows[column] = raw.get(column, np.nan)
     rows = rows.assign(**table_columns(raw, place))[finite]
     refuse_two_responses(rows, place)
     return rows
@@ -121,7 +126,7 @@ def _with_slip(raw: pd.DataFrame, place: str) -> pd.DataFrame:
 
 def _check_numbers(raw: pd.DataFrame, needed: list[str], place: str) -> None:
     """Refuse optional columns that are not numbers, and numbers that no contact or wave has."""
-    for column in ("slip_parameter", "mean_rise"):
+    for column in ("slip_parameter", *OPTIONAL):
         if column in raw and raw[column].dtype.kind not in "fiu":
             raise SurfaceError(f"{place}: column {column} does not hold numbers")
     slip = raw.get("slip_parameter", pd.Series(1.0)).to_numpy(float)

@@ -46,7 +46,7 @@ class Transfer(Protocol):
         """Return the transfer for waves per metre along x (any sign) and y (not negative)."""
 
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
-        """Return what waves add to the mean film, to second order; None if that is not known.
+        """Return the rise of the mean film by waves, to second order; None if unknown.
 
         For each wave q in (mean film less smooth film)/film = q (A/film)^2, A its amplitude.
         """
@@ -72,17 +72,17 @@ def orientation_and_wave(per_length_x: Waves, per_length_y: Waves) -> tuple[Wave
 
 
 class LawBasis:
-    """Base of laws, which are linear. They cover all components, or none and say why."""
+    """Base of laws, which are linear. They cover all components, or none with a reason."""
 
     conditions: Conditions
 
     def reasons(self) -> list[str]:
-        """Return why the conditions are not those of the law."""
+        """Return why the conditions do not match the law."""
         raise NotImplementedError
 
     @property
     def covers_all(self) -> bool:
-        """Return whether the conditions are those of the law."""
+        """Return whether the conditions match the law."""
         return not self.reasons()
 
     @property
@@ -94,7 +94,7 @@ class LawBasis:
         """Return None: no law has it."""
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
-        """Return whether the conditions are those of the law."""
+        """Return whether the conditions match the law."""
         shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
         return np.full(shape, self.covers_all)
 
@@ -103,7 +103,7 @@ class FormulaBasis(LawBasis):
     """Base of formulas for pure rolling."""
 
     def reasons(self) -> list[str]:
-        """Return why the conditions are not those of the formula: slip, or an oil that thins."""
+        """Return why the conditions do not match the formula: slip, or a shear-thinning oil."""
         slip = self.conditions.slip_parameter
         if slip != 1:
             return [f"slip (S = {slip:g}): the formula is for pure rolling"]
@@ -111,7 +111,7 @@ class FormulaBasis(LawBasis):
         return ["of an oil that thins in the inlet: the formula is for Newtonian oils"] * thins
 
     def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
-        """Return None: what a formula is off by depends on the contact."""
+        """Return None: the error of a formula depends on the contact."""
 
 
 @dataclass(frozen=True)
@@ -168,7 +168,7 @@ class RecommendedTransfer(FormulaBasis):
         return np.where((along == 0) & (across == 0), 0.0, ratio)
 
     def reasons(self) -> list[str]:
-        """Return which of M, L and D are not among those of the fit, and whether there is slip."""
+        """Return which of M, L and D are outside the fit, and whether there is slip."""
         contact = self.conditions
         values = {"M": contact.m, "L": contact.l, "D": contact.d}
         if contact.is_line:
@@ -187,7 +187,7 @@ class RecommendedTransfer(FormulaBasis):
 def shorter_than_contact(
     conditions: Conditions, per_length_x: Waves, per_length_y: Waves
 ) -> NDArray[np.bool_]:
-    """Return whether lambda_x <= 2a or lambda_y <= 2b: one wave fits in the Hertzian contact.
+    """Return whether lambda_x <= 2a or lambda_y <= 2b: a wave fits in the Hertzian contact.
 
     In a line contact, whose waves are all across rolling, the former.
     """
@@ -195,5 +195,5 @@ def shorter_than_contact(
     if conditions.is_line:
         return np.asarray(along >= 1 - 1e-9)
     across = np.abs(per_length_y) * 2 * conditions.semi_axis_b_m
-    # A wave exactly as long as the contact belongs to it, whatever rounding says.
+    # A wave exactly as long as the contact belongs to it, whatever the rounding.
     return np.maximum(along, across) >= 1 - 1e-9

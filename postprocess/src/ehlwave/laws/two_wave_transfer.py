@@ -1,7 +1,7 @@
 """Transfers under slip from the law of the two waves.
 
-A pattern that slides makes two waves in the film: one moves with the surface, the other with the
-oil (:mod:`ehlwave.contact.two_waves`). At the contact centre their sum is a transfer like any
+A pattern that slides makes two waves in the film: the first moves with the surface, the second with
+the oil (:mod:`ehlwave.contact.two_waves`). At the contact centre their sum is a transfer like any
 other; at other places their phases differ.
 """
 
@@ -32,9 +32,9 @@ Floats = NDArray[np.float64]
 class TwoWaveTransfer(LawBasis):
     """Amplitude and phase by the law of the two waves, and by its rolling transfer where S = 1.
 
-    Ridges along rolling stand still: they have the amplitude of pure rolling, and what an oil that
-    thins adds (:mod:`ehlwave.laws.sheared_ridges`). The ratio of the mean is 0: the load moves the
-    bodies until it is carried.
+    Ridges along rolling are stationary: they have the amplitude of pure rolling, plus the effect of
+    a shear-thinning oil (:mod:`ehlwave.laws.sheared_ridges`). The ratio of the mean is 0: the load
+    moves the bodies until it is carried.
 
     Raises
     ------
@@ -82,7 +82,7 @@ class TwoWaveTransfer(LawBasis):
         return np.full(shape, SLIP_ERRORS[self.conditions.oil.name])
 
     def reasons(self) -> list[str]:
-        """Return which of M, L, D, S and the laws of the oil are not those of the fit."""
+        """Return which of M, L, D, S and the laws of the oil are outside the fit."""
         contact = self.conditions
         values = {"M": contact.m, "L": contact.l, "D": contact.d, "S": contact.slip_parameter}
         ranges = [
@@ -96,6 +96,6 @@ class TwoWaveTransfer(LawBasis):
         return ranges + [f"{law}: the law was fitted to others" for law in contact.oil.other_laws]
 
     def _wavelength(self, per_length: Waves) -> Floats:
-        """Return wavelengths in units of a; zero for an infinite one."""
+        """Return wavelengths in units of a; zero for an infinite wavelength."""
         with np.errstate(divide="ignore"):
             return np.where(per_length > 0, 1 / (per_length * self.conditions.semi_axis_a_m), 0.0)

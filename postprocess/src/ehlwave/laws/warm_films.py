@@ -1,9 +1,9 @@
 """Central and smallest films of warm contacts over those without heat, and their errors.
 
 The shear of the inlet warms its oil, which thins both films. It thins the constriction less, so
-that the smallest film comes near the central one. The heat of sliding reaches the outlet alone,
-where it thins the smallest film. Coefficients and errors are those of
-``scripts/study heat``, which writes ``warm_films.json``.
+that the smallest film comes near the central film. The heat of sliding reaches the outlet alone,
+where it thins the smallest film. Coefficients and errors come from ``scripts/study heat``, which
+writes ``warm_films.json``.
 """
 
 import json
@@ -48,7 +48,7 @@ def smallest_factor(
     is_line : array_like
         Whether the contact is a line.
     coefficients : sequence of float, optional
-        Those of the study by default.
+        Coefficients; the study's by default.
 
     Examples
     --------

@@ -1,8 +1,7 @@
 """Waves in warm contacts, whose temperatures move with the oil.
 
-A warm inlet is an inlet of thinner oil: the response R1 of the isothermal contact whose film is
-as thin as the warm one stands for it. Sliding besides leaves waves nearer to the isothermal
-response R0:
+A warm inlet is an inlet of thinner oil: the response R1 of the isothermal contact with an equally
+thin film represents it. Sliding also leaves waves nearer to the isothermal response R0:
 
     R = R0 + (R1 - R0)/(1 + c w),   error = (error of R1) + e1 |R1 - R0| + e2 min(w, 3),
 
@@ -32,7 +31,7 @@ Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
 FILM_POWER = 0.67
-"""Of the viscosity, in the film."""
+"""Power of the viscosity in the film."""
 MOST_WARMTH = 3.0
 """From which on the error does not grow."""
 
@@ -75,7 +74,7 @@ def warm_ratio(
 def warm_error(
     change: ArrayLike, warmth: ArrayLike, coefficients: Sequence[float] | Floats | None = None
 ) -> Floats:
-    """Return what the error of R has besides the error of R1, by the size of R1 - R0 and w."""
+    """Return the error of R besides the error of R1, by the size of R1 - R0 and w."""
     e = fitted()["error"] if coefficients is None else coefficients
     return np.asarray(e[0] * np.abs(change) + e[1] * np.minimum(warmth, MOST_WARMTH))
 
@@ -100,7 +99,7 @@ def warmth_of(film: Film, heat: Heat, slip: float) -> float:
 
 @dataclass(frozen=True)
 class WarmTransfer:
-    """Transfer of a warm contact by both isothermal ones."""
+    """Transfer of a warm contact from both isothermal contacts."""
 
     cold: Transfer
     thin: Transfer
@@ -139,7 +138,7 @@ class WarmTransfer:
         return warm_ratio(cold, thin, self.warmth)
 
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
-        """Return what waves add to the mean film of the contact with the thinner oil."""
+        """Return the rise of the mean film by waves in the contact with the thinner oil."""
         return self.thin.rise(per_length_x, per_length_y)
 
     def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:

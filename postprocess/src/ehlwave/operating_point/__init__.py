@@ -1,4 +1,4 @@
-"""The one call: a contact, its film, its responses to waves, surfaces inside it."""
+"""Entry point: a contact, its film, its responses to waves, surfaces inside it."""
 
 from ehlwave.operating_point.contact import Contact, contact_of
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from copy import copy
+from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ehlwave.choices import FILM_BY, WINDOWS, chosen
@@ -27,15 +29,18 @@ if TYPE_CHECKING:
 
 
 class Contact(WavyContact):
-    """A lubricated contact of smooth bodies, one of which is rough or wavy.
+    """A lubricated contact of smooth bodieswith a rough or wavy surface.
 
     Parameters
     ----------
     atlas : path, optional
-        Another atlas file than that of the package.
+        An atlas file in place of the package's.
     heat : Heat, optional
         How oil and bodies conduct and store heat: film and friction are those with heat, by the
-        laws of :mod:`ehlwave.laws.heat_laws`. Waves stay isothermal, over the film with heat.
+        laws of :mod:`ehlwave.laws.heat_laws`.
+    table : path or DataFrame, optional
+        Harmonic table that answers for waves in place of the other laws, from ``ehlwave
+        harmonics``.
     **keys
         Keys of the input files of ``ehlwave-case``: dimensional data (``radius_x_m``,
         ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``, ``mean_speed_m_per_s``,
@@ -82,9 +87,10 @@ class Contact(WavyContact):
         Parameters
         ----------
         by : str, optional
-            A law's name: "atlas", "starved", "two-waves", "computed", "recommended" or "paper". By
-            default the first law that holds answers; where none does, the programs compute the
-            responses, if they are installed. "laws": nothing is computed.
+            A law's name: "table", "atlas", "starved", "two-waves", "computed", "recommended" or
+            "paper". By default a given table answers, else the first law that holds; where none
+            does, the programs compute the responses, if they are installed. "laws": nothing is
+            computed.
 
         Raises
         ------
@@ -125,9 +131,9 @@ class Contact(WavyContact):
         form, ends, cutoffs_m
             See :func:`ehlwave.surface.deform_surface`; ``cutoffs_m`` is (lambda_c, lambda_s).
         transfer : Transfer, optional
-            In place of a law of the list, such as :class:`ehlwave.surface.TableTransfer`.
+            In place of a law of the list.
         **reading
-            Of :class:`ehlwave.surface.ReadOptions`, for what the surface does not say.
+            Of :class:`ehlwave.surface.ReadOptions`, for data that the surface lacks.
 
         Raises
         ------
@@ -171,7 +177,7 @@ class Contact(WavyContact):
         Parameters
         ----------
         surface, second : Surface, path, array or topography
-            Of the body that moves with S, and of the other one, which moves with 2 - S. Their
+            Surfaces of the body that moves with S, and of the second, which moves with 2 - S. Their
             phases are free: mean squares of their heights add.
         **options
             As of :meth:`deform`, for both.
@@ -218,7 +224,9 @@ class Contact(WavyContact):
         other = copy(self)
         other._given = second_conditions(self._given)
         other._heat = None if self.heat is None else self.heat.exchanged()
-        other._films, other._transfers = self._films, {}
+        other._questions, other._transfers = {}, {}
+        # The film is the same.
+        other._questions[None] = replace(other._asked(), films=self._asked().films)
         return other
 
     def _deformed(
@@ -231,7 +239,7 @@ class Contact(WavyContact):
         transfer: Transfer | None = None,
         **reading: Any,  # noqa: ANN401
     ) -> Deformed:
-        """Return what :meth:`deform` does, and warn of nothing."""
+        """Return the result of :meth:`deform`, without warnings."""
         if not math.isfinite(self._given.semi_axis_a_m):
             raise SurfaceError(
                 "Contact: a surface in metres needs semi_axis_a_m and radius_x_m besides M, L and D"
@@ -248,7 +256,7 @@ class Contact(WavyContact):
     def _filmed(self, by: str | None) -> tuple[Conditions, list[str]]:
         """Return conditions with their film and the warnings about it.
 
-        Where no law holds and nothing computes it, a formula stands in, with its error.
+        Where no law holds and nothing computes it, a formula applies, with its error.
         """
         c = self._given
         if c.has_given_film or c.metres_per_moes is None:
@@ -267,16 +275,16 @@ class Contact(WavyContact):
         second: Surface | SurfaceSource | None = None,
         **options: Any,  # noqa: ANN401
     ) -> RoughStress:
-        """Return the stresses below both bodies with a measured surface, or one on each.
+        """Return the stresses below both bodies with a measured surface, or a surface on each.
 
         Parameters
         ----------
         surface, second : Surface, path, array or topography
-            Of the first body, whose slip parameter is that of the contact, and of the other one;
-            without, that one is smooth.
+            Surface of the first body, whose slip parameter is the contact's, and of the second,
+            which is smooth by default.
         **options
             ``friction``, ``cycles``, ``poisson_ratio``, ``depths_m`` and ``smooth`` of
-            :func:`ehlwave.stress.stress_of_contact`; those of :meth:`deform`. Without
+            :func:`ehlwave.stress.stress_of_contact`; options of :meth:`deform`. Without
             ``poisson_ratio`` bodies of :meth:`from_bodies` have their own, others 0.3.
 
         Examples
@@ -306,7 +314,7 @@ class Contact(WavyContact):
     ) -> float:
         """Return the mean film over Rq of the deformed surface, or of both.
 
-        Its error is ``deform(...).statistics.lambda_error``, that of both
+        Its error is ``deform(...).statistics.lambda_error``, for both
         ``deform_pair(...).statistics.lambda_error``.
 
         Parameters
@@ -347,8 +355,8 @@ class Contact(WavyContact):
         return found.statistics.lambda_ratio_after
 
 
-def contact_of(given: Given) -> Contact:
-    """Return the contact of an input file, or of words of a command line."""
-    contact = Contact(heat=given.heat, **given.keys)
+def contact_of(given: Given, table: Path | None = None) -> Contact:
+    """Return the contact of an input file, or of words of a command line; waves by a table."""
+    contact = Contact(heat=given.heat, table=table, **given.keys)
     contact._given = given.conditions
     return contact

@@ -1,4 +1,4 @@
-"""A contact with small waves on one body: its responses."""
+"""A contact with small waves on a body: its responses."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class WavyContact(SmoothContact):
-    """What :class:`ehlwave.Contact` knows of small waves."""
+    """Small waves of :class:`ehlwave.Contact`."""
 
     def response(
         self,

@@ -1,1 +1,1 @@
-"""Arguments of the commands; what they do is imported when they run, so that help is quick."""
+"""Arguments of the commands; their work is imported when they run, so that help is quick."""

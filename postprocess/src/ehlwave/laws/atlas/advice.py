@@ -1,4 +1,4 @@
-"""What a contact outside the atlas would have to be, in the quantities that it was given by."""
+"""Advice for a contact outside the atlas, in the quantities that it was given by."""
 
 import math
 from collections.abc import Callable, Mapping
@@ -40,15 +40,15 @@ _DIGITS = 3
 _TRIED = 200
 """Values of an interval at which limits are looked at."""
 _HALVINGS = 6
-"""Of the step between two of them, by which an end is found."""
+"""Halvings of the step between two of them, to find an end."""
 _SHARES = (0.0, 0.1, 0.2, 0.3, 0.4)
-"""Of the ranges, left free at their ends in turn, until a contact is inside all limits."""
+"""Shares of the ranges, left free at their ends in turn, until a contact is inside all limits."""
 _LARGEST_CHANGE = 1e3
-"""Of one quantity; beyond it the smallest change of several is said."""
+"""Largest advised change of one quantity; beyond it the advice changes several."""
 
 
 def refuse_outside(contact: Conditions, kind: Kind) -> None:
-    """Raise RangeError where a contact lies outside ranges, and say what would lie inside.
+    """Raise RangeError where a contact lies outside ranges, with values that would lie inside.
 
     A contact given by M, L and D is left to the message of the atlas itself.
     """
@@ -104,7 +104,7 @@ def thinned_text(contact: Conditions) -> str:
 
 
 def _follow(wrong: list[str]) -> bool:
-    """Return whether one of them follows from several quantities; others are said as they are."""
+    """Return whether a range follows from several quantities; others are reported directly."""
     return any(key in LETTERS or key == STRESS for key in wrong)
 
 
@@ -207,9 +207,9 @@ def _nearest(
 ) -> str:
     """Return the smallest change of several quantities that leads inside, by linear programming.
 
-    Logarithms of coordinates are linear in those of quantities. What people would change last
-    counts most, and few are changed, since a corner is found. Where a limit of the kind excludes
-    it, the ends of M and L are left free.
+    Logarithms of coordinates are linear in logarithms of quantities. Weights are largest for
+    quantities that people change last. A corner solution changes few of them. Where a limit of the
+    kind excludes it, the ends of M and L are left free.
     """
     keys = list(powers)
     ranges = {key: ends for key, ends in kind.ranges.items() if key != SLIP}  # may begin at 0
@@ -223,7 +223,7 @@ def _nearest(
     sides, cost = np.hstack([both, -both]), np.tile([COSTS[key] for key in keys], 2)
     for share in _SHARES:
         room = np.maximum(share * (high - low), np.minimum(_MARGIN, 0.25 * (high - low)))
-        # What is inside may stay where it is, at an end, too: circular contacts have D = 1.
+        # Values inside may stay, also at an end of the range: circular contacts have D = 1.
         stays = (share == 0) | ~is_free
         most = np.where(stays & (now <= high), np.maximum(high - room, now), high - room)
         least = np.where(stays & (now >= low), np.minimum(low + room, now), low + room)

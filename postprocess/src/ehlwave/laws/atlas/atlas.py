@@ -36,7 +36,7 @@ def ranges_text(kind: Kind) -> str:
 
 
 class Atlas(Networks):
-    """Computed responses and films, as networks know them between contacts and waves.
+    """Computed responses and films, interpolated by networks between contacts and waves.
 
     Parameters
     ----------
@@ -72,17 +72,17 @@ class Atlas(Networks):
         super().__init__(data, kind)
 
     def at(self, keys: Mapping[str, float]) -> Chart:
-        """Return the chart of one contact.
+        """Return the chart of a contact.
 
         Parameters
         ----------
         keys : mapping
-            Those of its kind: :mod:`ehlwave.laws.atlas.ranges`.
+            Parameters of its kind: :mod:`ehlwave.laws.atlas.ranges`.
 
         Raises
         ------
         RangeError
-            If one lies outside its range.
+            If a parameter lies outside its range.
 
         Examples
         --------
@@ -104,11 +104,11 @@ SHIPPED = shipped(ROLLING)
 def kind_for(conditions: Conditions) -> Kind:
     """Return the kind of atlas that a contact is looked up in.
 
-    Contacts that roll or slide beyond the ranges of the usual atlas have a wider one, which knows
-    less.
+    Contacts that roll or slide beyond the ranges of the usual atlas have a wider atlas, which is
+    less accurate.
 
-    A Ree-Eyring oil under slip has one of its own, and line contacts have both; all else rolls as
-    far as the atlas knows.
+    A Ree-Eyring oil under slip has an atlas of its own, and line contacts have both; for the atlas
+    all others roll.
 
     Raises
     ------
@@ -143,7 +143,7 @@ def _sliding_kinds(conditions: Conditions) -> tuple[Kind, Kind]:
 
 
 def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
-    """Return the atlas of :func:`kind_for`: this one if it is of the kind, else ours."""
+    """Return the atlas of :func:`kind_for`: this one if it is of the kind, else the shipped one."""
     kind = kind_for(conditions)
     families = (ROLLING, WIDE), (SLIDING, SLIDING_WIDE)
     of_kind = next((family for family in families if kind in family), (kind,))
@@ -153,8 +153,8 @@ def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
 def chart_of(conditions: Conditions, atlas: Atlas | None = None) -> Chart:
     """Return the chart of a contact, in the atlas of :func:`atlas_for`.
 
-    In pure rolling an oil that thins has the film of the atlas of those that slide. Its responses
-    are those of a Newtonian oil, with an error to match: they change less than the film.
+    In pure rolling a shear-thinning oil has the film of the atlas of sliding contacts. Its
+    responses are Newtonian, with an error to match: they change less than the film.
 
     Raises
     ------
@@ -178,7 +178,7 @@ def chart_of(conditions: Conditions, atlas: Atlas | None = None) -> Chart:
 
 @lru_cache(maxsize=8)
 def load_atlas(path: str | Path = SHIPPED) -> Atlas:
-    """Return the atlas of a file, by default the one of this package for contacts that roll.
+    """Return the atlas of a file, by default the package's atlas of rolling contacts.
 
     Each file is read once a process.
 
@@ -190,7 +190,7 @@ def load_atlas(path: str | Path = SHIPPED) -> Atlas:
     Raises
     ------
     ResultsError
-        If it cannot be read, is none, or its checksum is not that of its data.
+        If it cannot be read, is no atlas, or has a wrong checksum.
 
     Examples
     --------
@@ -202,7 +202,7 @@ def load_atlas(path: str | Path = SHIPPED) -> Atlas:
 
 
 def _of_other_laws(conditions: Conditions) -> str:
-    """Return why an oil is not that of the atlas."""
+    """Return why an oil does not match the atlas."""
     return (
         f"{', '.join(conditions.oil.other_laws)}: the atlas holds Roelands' oil without a limit of "
         "the stress; give a harmonic table, or compute the contact with ehlwave-case"

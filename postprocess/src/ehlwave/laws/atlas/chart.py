@@ -1,4 +1,4 @@
-"""The responses and films of one contact, from an atlas."""
+"""The responses and films of a contact, from an atlas."""
 
 import math
 from collections.abc import Mapping
@@ -27,9 +27,9 @@ class SmoothFilm:
     ----------
     central_moes, minimum_moes : float
         In the Moes scale, (h/Rx)(2U)^(-1/2) for elliptical contacts. The smallest film is NaN where
-        the atlas does not know it: errors of 100 % and more.
+        the atlas has errors of 100 % and more.
     central_error, minimum_error : float
-        Relative; what 95 % of films computed anew keep to.
+        Relative; 95 % of films computed anew are within it.
     stress : float or None
         Friction under slip of a Ree-Eyring oil: mean shear stress over the Eyring stress; None in
         pure rolling.
@@ -47,7 +47,7 @@ class SmoothFilm:
 
 @dataclass(frozen=True, repr=False)
 class Responses(Shown):
-    """Responses at the contact centre to waves, arrays of one shape.
+    """Responses at the contact centre to waves, arrays of equal shape.
 
     Attributes
     ----------
@@ -56,9 +56,9 @@ class Responses(Shown):
     pressure : ndarray of complex
         Amplitude of P over Ai, in units of ph/c.
     error : ndarray
-        Of ``film``, absolute, in units of Ai; what 95 % of responses computed anew keep to.
+        Of ``film``, absolute, in units of Ai; 95 % of responses computed anew are within it.
     rise : ndarray
-        What a wave adds to the mean film over the film, per (A/film)^2: second order in its
+        Rise of the mean film by a wave, over the film, per (A/film)^2: second order in its
         amplitude A.
     """
 
@@ -73,26 +73,26 @@ class Responses(Shown):
 
 
 class Chart:
-    """The responses of one contact.
+    """The responses of a contact.
 
     Parameters
     ----------
     networks : Networks
         Of an atlas.
     keys : mapping
-        Of the contact, those of the kind: :mod:`ehlwave.laws.atlas.ranges`.
+        Parameters of the contact, for the kind: :mod:`ehlwave.laws.atlas.ranges`.
     film_loss : float
-        By how much thinner than in the atlas, relative, the film may be: of an oil that thins and
-        an atlas that does not know it. Errors of films count it once, those of responses
+        Relative thinning of the film against the atlas, for a shear-thinning oil and an atlas
+        without thinning. Errors of films count it once, errors of responses
         :data:`RESPONSE_BY_FILM` times.
     thinned : Chart, optional
-        Of the same contact in an atlas that knows it: films are those of this one, and errors of
-        responses count by how much thinner they are.
+        Chart of the same contact in an atlas with thinning: films come from it, and the thinning is
+        included in errors of responses.
 
     Raises
     ------
     RangeError
-        If one lies outside its range, or all of them beyond a limit of the kind.
+        If a coordinate lies outside its range, or all of them beyond a limit of the kind.
     """
 
     def __init__(
@@ -148,14 +148,14 @@ class Chart:
         return float(base[0] * ratios[0]), float(base[1] * ratios[0] * ratios[1])
 
     def smallest_of_networks(self) -> tuple[float, float]:
-        """Return the smallest film without a correction, not above the central one, its error."""
+        """Return the uncorrected smallest film, not above the central film, and its error."""
         errors = self._networks.film_errors(self._place)[0]
         return min(self.computed_films()), float(errors[:2].sum()) + self.film_loss
 
     def film(self) -> SmoothFilm:
         """Return the smooth films, and the shear stress where the kind of the atlas has it.
 
-        The smallest film is not above the central one, and NaN where it is not known.
+        The smallest film is not above the central film, and NaN where unknown.
         """
         if self._thinned is not None:
             return self._thinned.film()
@@ -216,7 +216,7 @@ class Chart:
 
 
 def with_contacts(contacts: Floats, waves: Floats) -> Floats:
-    """Return the coordinates of contacts, one or one a wave, before those of waves."""
+    """Return the coordinates of contacts, one or one per wave, before the coordinates of waves."""
     shape = len(waves), contacts.shape[1]
     return np.concatenate([np.broadcast_to(contacts, shape), waves], axis=1)
 

@@ -1,8 +1,8 @@
-"""Several small networks that know the same numbers: their mean is what an atlas answers.
+"""Several small networks for the same numbers: an atlas answers with their mean.
 
 Each has two hidden layers, y = B3 + W3 tanh(B2 + W2 tanh(B1 + W1 x)), of inputs x in units of
-their scatter; they differ by what their weights were before they were fitted. Goodfellow, Bengio
-and Courville, *Deep Learning* (2016), 6.1 and 7.11.
+their scatter; they differ in the initial weights of their fits. Goodfellow, Bengio and Courville,
+*Deep Learning* (2016), 6.1 and 7.11.
 """
 
 from collections.abc import Sequence

@@ -24,12 +24,12 @@ CENTRE = (1000.0, 10.0, 0.1)
 """M, L and D of which the logarithms count."""
 DEGREE = 3
 LARGEST_M = 12000.0
-"""Of the computed contacts."""
+"""Largest M of the computed contacts."""
 
 
 @cache
 def fitted() -> Mapping[str, Sequence[float]]:
-    """Return what the study found: ``coefficients``, ``error``, ``low`` and ``high``."""
+    """Return the results of the study: ``coefficients``, ``error``, ``low`` and ``high``."""
     text = (files("ehlwave.laws.atlas") / "constriction.json").read_text(encoding="utf-8")
     found: Mapping[str, Sequence[float]] = json.loads(text)
     return found
@@ -50,8 +50,8 @@ def terms(m: ArrayLike, l: ArrayLike, d: ArrayLike) -> Floats:  # noqa: E741 - t
 def constriction(m: float, l: float, d: float) -> tuple[float, float | None]:  # noqa: E741
     """Return the factor of the smallest film of the wide atlas, and its relative error.
 
-    Values of the polynomial are held within the range of the computed ones. Beyond the loads that
-    grids resolve the factor is that of the largest, and the error None: that of the atlas stays.
+    Values of the polynomial are held within the computed range. Beyond the loads that grids resolve
+    the factor is constant, and the error None: the atlas error applies.
 
     Examples
     --------

@@ -29,10 +29,10 @@ Complex = NDArray[np.complex128]
 def contact_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     """Return the coordinates of contacts, shape (c, 5), by columns named as the input keys.
 
-    H, the central film of Moes' formula over the Hertz approach c, stands for M: the inlet is as
+    H, the central film of Moes' formula over the Hertz approach c, represents M: the inlet is as
     long as H^(2/3) a, in contacts of any load. Its root changes most where responses do, at low
-    loads. Of the oil it is the viscosity under the Hertz pressure, eta0 exp(B), that counts, more
-    than alpha, z and even L by themselves; the pressure stands for the compressibility.
+    loads. The viscosity of the oil under the Hertz pressure, eta0 exp(B), matters more than alpha,
+    z and even L; the pressure represents the compressibility.
     """
     m, l, d, alpha, z = map(np.atleast_1d, columns(keys, CONTACT_RANGES))  # noqa: E741
     gamma = np.vectorize(lambda d: pressure_factor(ellipticity(d)), otypes=[float])(d)
@@ -43,7 +43,7 @@ def contact_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
 
 
 def beyond_limits(keys: Mapping[str, float]) -> str:
-    """Return what an elliptical contact has too much of for the atlas; '' if nothing."""
+    """Return the excess of an elliptical contact over the atlas; '' if none."""
     m, l, d = (keys[key] for key in MOES_KEYS)  # noqa: E741
     film = float(hertz_film(m, l, d))
     if film > THICKEST_FILM * (1 + 1e-9):

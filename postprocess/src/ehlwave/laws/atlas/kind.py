@@ -29,7 +29,7 @@ FILMS = ("film_ratio", "minimum_ratio")
 
 @dataclass(frozen=True)
 class Kind:
-    """An atlas by what its contacts do.
+    """An atlas by the motion of its contacts.
 
     Attributes
     ----------
@@ -40,20 +40,20 @@ class Kind:
     coordinates : callable
         Coordinates of contacts, shape (c, k), by columns named as their keys.
     shape : callable
-        What turns responses into numbers, by the same.
+        Conversion of responses into numbers, by the same.
     films : tuple of str
-        What is known of contacts: ln of the central film over its reference; ln of the
-        smallest over the central film, less that of their references; ln of the mean shear stress
-        over its reference; ln of the pressure at the centre over that of Hertz.
+        Data of contacts: ln of the central film over its reference; ln of the smallest over the
+        central film, less the same ratio of their references; ln of the mean shear stress over its
+        reference; ln of the pressure at the centre over the Hertz pressure.
     references : callable
-        What these are relative to, shape (c, films), by the same columns: films in the Moes scale,
+        References of these values, shape (c, films), by the same columns: films in the Moes scale,
         of Moes' formula or, under slip, in pure rolling; the stress of
         :func:`ehlwave.laws.atlas.sliding.mean_stress`.
     state : callable
-        What ``shape`` takes of contacts, from their keys, the references and the numbers of their
+        Input of ``shape`` for contacts, from their keys, the references and the numbers of their
         films.
     beyond : callable
-        What a contact has too much of, though within the ranges, from its keys; '' if nothing.
+        Excess of a contact, though within the ranges, from its keys; '' if none.
     smallest : callable or None
         Factor of the smallest film of the networks and its relative error, from the keys; an error
         of None leaves the error of the networks.

@@ -21,7 +21,7 @@ from ehlwave.laws.atlas.shape import INLET_SCALE, Seen, Shape, rolling_seen
 def line_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     """Return the coordinates of line contacts, shape (c, 4), by columns named as the input keys.
 
-    Those of elliptical contacts without D: see ``atlas/coordinates.py``.
+    Coordinates as in elliptical contacts, without D: see ``atlas/coordinates.py``.
     """
     m, l, alpha, z = map(np.atleast_1d, columns(keys, LINE_RANGES))  # noqa: E741
     pressure = line_alphabar(m, l) / alpha
@@ -31,7 +31,7 @@ def line_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
 
 
 def beyond_line_limits(keys: Mapping[str, float]) -> str:
-    """Return what a line contact has too much of for the atlas; '' if nothing."""
+    """Return the excess of a line contact over the atlas; '' if none."""
     product = float(line_alphabar(*(keys[key] for key in list(LINE_RANGES)[:2])))
     if product > LARGEST_LINE_ALPHABAR * (1 + 1e-9):
         return f"alpha ph of {product:.3g} (of at most {LARGEST_LINE_ALPHABAR:g})"
@@ -39,7 +39,7 @@ def beyond_line_limits(keys: Mapping[str, float]) -> str:
 
 
 def beyond_sliding_limits(keys: Mapping[str, float]) -> str:
-    """Return the same of a line contact that slides, whose pressure is limited, too."""
+    """Return the excess of a sliding line contact, whose pressure is limited, too."""
     pressure = float(line_alphabar(*(keys[key] for key in list(LINE_RANGES)[:2])))
     pressure /= keys["pressure_viscosity_per_pa"]
     if pressure > LARGEST_PRESSURE_PA * (1 + 1e-9):
@@ -55,13 +55,13 @@ def line_references(keys: Mapping[str, ArrayLike]) -> Floats:
 
 
 class LineShape(Shape):
-    """The same of line contacts: the law is that of slender contacts with as much alphabar and L.
+    """Waves of line contacts: the law of slender contacts with the same alphabar and L.
 
     Waves are transverse: angles are 0.
     """
 
     def __init__(self, m: ArrayLike, l: ArrayLike) -> None:  # noqa: E741
-        """Find what follows from M and L."""
+        """Compute the values that follow from M and L."""
         self.l = np.asarray(l, dtype=float)
         self.load = SLENDER_OVER_LINE * np.asarray(m, dtype=float) ** 1.5
         film = line_film(m, l) / moes_per_line_film(m)
@@ -69,7 +69,7 @@ class LineShape(Shape):
 
     @classmethod
     def of_keys(cls, keys: Mapping[str, ArrayLike]) -> "LineShape":
-        """Return that of contacts given by columns named as the input keys."""
+        """Return the shape of contacts given by columns named as the input keys."""
         return cls(*columns(keys, list(LINE_RANGES)[:2]))
 
     def seen(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Seen:

@@ -1,6 +1,6 @@
 """Line contacts that slide in a Newtonian oil: they have the film of those that roll.
 
-Waves are those of :class:`ehlwave.laws.atlas.line_sliding_shape.LineSlidingShape` without thinning.
+Waves follow :class:`ehlwave.laws.atlas.line_sliding_shape.LineSlidingShape` without thinning.
 """
 
 from collections.abc import Mapping

@@ -21,7 +21,7 @@ LINE_SLIDING_RANGES = LINE_RANGES | {
 }
 """Smallest and largest value of each key of a line contact that slides, of a Ree-Eyring oil.
 
-They are what its networks were fitted to, whatever the ranges of ellipses are.
+Its networks were fitted to these, independent of the ranges of ellipses.
 """
 
 
@@ -40,7 +40,7 @@ def thinning(contact: Conditions, slip: float) -> float:
 def line_sliding_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     """Return the coordinates of contacts, shape (c, 7), by columns named as their keys.
 
-    Those of line contacts that roll, with ln H, and the three of slip: ``atlas/sliding.py``.
+    Coordinates as in rolling line contacts, with ln H, and the three of slip: ``atlas/sliding.py``.
     """
     rolling = line_coordinates(keys)
     rolling[:, 0] = np.log(rolling[:, 0])

@@ -21,11 +21,11 @@ class LineSlidingShape(SlidingShape, LineShape):
 
     WAVE_AND_X = (1, 0)
     CONDITIONS_OF = staticmethod(line_conditions_of)
-    """What makes conditions of keys."""
+    """Conversion of keys to conditions."""
 
     @classmethod
     def of_keys(cls, keys: Mapping[str, ArrayLike]) -> "LineSlidingShape":
-        """Return that of contacts: columns as :meth:`SlidingShape.of_keys` takes them."""
+        """Return the shape of contacts: columns as for :meth:`SlidingShape.of_keys`."""
         shape = cls(*map(np.atleast_1d, columns(keys, list(LINE_RANGES)[:2])))
         shape._take(cls.CONDITIONS_OF(keys), keys)
         return shape

@@ -26,19 +26,19 @@ LEAST_SHARE = 1e-9
 class Seen:
     """Waves in contacts.
 
-    A film response is a law and some numbers, each times what it changes: T = law + sum of
-    numbers times slopes. The pressure P that belongs to it is that of plane waves but for two
-    more numbers, p: W P = offset + gain T + p, W = 2/(K (kx^2 + kappa^2 ky^2)^(1/2)). In pure
-    rolling gain is 1 and offset -1: the film is the pattern and the deflection under the pressure.
+    A film response is a law plus numbers times their slopes: T = law + sum of numbers times slopes.
+    The pressure P that belongs to it is the plane-wave pressure with two more numbers, p: W P =
+    offset + gain T + p, W = 2/(K (kx^2 + kappa^2 ky^2)^(1/2)). In pure rolling gain is 1 and offset
+    -1: the film is the pattern and the deflection under the pressure.
 
     Attributes
     ----------
     coordinates : ndarray, shape (n, k)
-        In which, with those of the contact, the numbers are smooth.
+        Coordinates in which, with the contact's, the numbers are smooth.
     law : ndarray of complex, shape (n,)
         Film responses where all numbers are 0.
     slopes : ndarray of complex, shape (n, numbers)
-        What the numbers change of them.
+        Slopes by the numbers.
     gain, offset : ndarray of complex, shape (n,)
         Of the deflection.
     compliance : ndarray, shape (n,)
@@ -63,28 +63,28 @@ class Seen:
         return np.asarray(self.law + np.sum(own * self.slopes, axis=1))
 
     def pressure(self, film: Complex, numbers: Floats) -> Complex:
-        """Return pressure responses by those of the film and the two numbers after its own."""
+        """Return pressure responses from film responses and the two numbers after its own."""
         real, imaginary = numbers[:, self.film_numbers : self.film_numbers + 2].T
         deflection = self.offset + self.gain * film + real + 1j * imaginary
         return np.asarray(deflection / self.compliance)
 
     def pressure_left(self, film: Complex, pressure: Complex) -> Complex:
-        """Return the two numbers of pressure responses, as complex ones."""
+        """Return the two numbers of pressure responses, as complex numbers."""
         return np.asarray(self.compliance * pressure - self.offset - self.gain * film)
 
 
 class Shape:
     """Turns responses of contacts that roll into numbers that hardly change, and back.
 
-    The law is that of pure rolling, amplitude and phase; two numbers change its ratio. Takes M, L
-    and D as arrays of one shape.
+    The law holds for pure rolling, amplitude and phase; two numbers change its ratio. Takes M, L
+    and Das arrays of equal shape.
     """
 
     OF_ALL: tuple[str, ...] = ()
-    """Names of what is not of each contact."""
+    """Names of variables that are not per contact."""
 
     def __init__(self, m: ArrayLike, l: ArrayLike, d: ArrayLike) -> None:  # noqa: E741
-        """Find what follows from M, L and D."""
+        """Compute the values that follow from M, L and D."""
         m = np.asarray(m, dtype=float)
         self.l = np.asarray(l, dtype=float)
         self.kappa = np.vectorize(ellipticity, otypes=[float])(np.asarray(d, dtype=float))
@@ -96,22 +96,22 @@ class Shape:
 
     @classmethod
     def of_keys(cls, keys: Mapping[str, ArrayLike]) -> "Shape":
-        """Return that of contacts given by columns named as the input keys."""
+        """Return the shape of contacts given by columns named as the input keys."""
         return cls(*columns(keys, MOES_KEYS))
 
     def __getitem__(self: SomeShape, index: NDArray[np.intp]) -> SomeShape:
-        """Return the same of a choice of contacts."""
+        """Return the shape of a choice of contacts."""
         part = type(self).__new__(type(self))
         for name, values in vars(self).items():
             setattr(part, name, values[index] if name not in self.OF_ALL else values)
         return part
 
     def seen(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Seen:
-        """Return waves, of each contact one or all of the only contact.
+        """Return waves, one of each contact or all of the only contact.
 
         Coordinates are ln x, x = 0.18 (lambda/a) H^(-2/3) L^(1/2 - cos^2(theta)/3), the angle, its
-        cos^2, the wavelength over b and a, and ln H. x is that of the recommended formula where
-        loads are high; at low ones it is smaller.
+        cos^2, the wavelength over b and a, and ln H. At high loads x equals the recommended
+        formula's; at low loads it is smaller.
         """
         wave, theta = np.asarray(wavelength_over_a, dtype=float), np.radians(angle_deg)
         share = np.cos(theta)

@@ -1,4 +1,4 @@
-"""The coordinates of contacts that slide, and what their films and friction are relative to."""
+"""The coordinates of contacts that slide, and the references of their films and friction."""
 
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
@@ -17,18 +17,18 @@ from ehlwave.laws.atlas.ranges import SLIDING_RANGES
 from ehlwave.laws.atlas.rolling import ROLLING, rolling_chart
 
 STRESS_POINTS = 24
-"""Of the quadrature over the Hertz contact."""
+"""Points of the quadrature over the Hertz contact."""
 
 MODULUS_PA = 2.2e11
-"""Of steel bodies. Of E' and the Eyring stress their product alone counts."""
+"""Modulus of steel bodies. Only the product of E' and the Eyring stress matters."""
 
 
 def sliding_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     """Return the coordinates of contacts, shape (c, 8), by columns named as their keys.
 
-    Those of contacts that roll; ln of the Newtonian stress in the inlet over the Eyring stress at
-    S = 2; and what is the same for S and 2 - S, as films are: (S - 1)^2 and, for the slip that
-    there is, ln(1 + (that stress ratio)^2)/2.
+    Coordinates of rolling contacts; ln of the Newtonian stress in the inlet over the Eyring stress
+    at S = 2; and two coordinates that are equal for S and 2 - S, like films: (S - 1)^2 and, for the
+    actual slip, ln(1 + (that stress ratio)^2)/2.
     """
     thinning = [one.medium(2.0).thinning for one in conditions_of(keys)]
     return np.column_stack([contact_coordinates(keys), slip_coordinates(keys, thinning)])

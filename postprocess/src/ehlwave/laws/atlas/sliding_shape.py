@@ -24,13 +24,13 @@ from ehlwave.laws.atlas.shape import Seen, Shape
 from ehlwave.laws.atlas.sliding import conditions_of
 
 STANDING = 1e4
-"""Wavelength along X, in units of a, of waves that hardly move: those of 90 degrees."""
+"""Wavelength along X, in units of a, of waves that hardly move: 90 degrees."""
 
 
 class SlidingShape(Shape):
     """Responses of contacts that slide, by the law of the two waves, T = a + c.
 
-    Two numbers change the ratio of c to the law, two are added to T. The pressure is that of the
+    Two numbers change the ratio of c to the law, two are added to T. The pressure follows from the
     two waves, W(k) P = a - 1 + c W(k)/W(psi). The state of the contact centre has the film and the
     pressure there.
     """
@@ -51,7 +51,7 @@ class SlidingShape(Shape):
 
     @classmethod
     def of_keys(cls, keys: Mapping[str, ArrayLike]) -> "SlidingShape":
-        """Return that of contacts.
+        """Return the shape of contacts.
 
         Columns are named as the keys of contacts; besides ``central_film``, H, and
         ``pressure_ratio``, ln P, at the centre.
@@ -89,7 +89,7 @@ class SlidingShape(Shape):
         return rolling_chart(contact)
 
     def rolling_responses(self, wave: Floats, angle_deg: Floats) -> Complex:
-        """Return the transfers in pure rolling of waves, one of each contact."""
+        """Return the transfers in pure rolling of waves, one per contact."""
         found = np.empty(wave.size, dtype=complex)
         places: dict[int, list[int]] = {}
         for place, contact in enumerate(self._contacts):
@@ -100,13 +100,13 @@ class SlidingShape(Shape):
         return found
 
     def with_rolling(self, rolling: Complex) -> "SlidingShape":
-        """Return the same with known transfers of pure rolling, one for each contact."""
+        """Return the shape with known transfers of pure rolling, one for each contact."""
         other = copy(self)
         other._rolling = rolling
         return other
 
     def seen(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Seen:
-        """Return waves, of each contact one or all of the only contact.
+        """Return waves, one of each contact or all of the only contact.
 
         Coordinates are of the contact H^(1/2), ln L, ln kappa, ln(1 + 100 B0), ln S and its
         absolute value, ln(alpha ph) and P at the centre; of the wave cos^2 of its angle,
@@ -139,7 +139,7 @@ class SlidingShape(Shape):
         return Seen(coordinates, a + c, slopes, gain, a - 1 - a * gain, rolled.compliance)
 
     def _launch(self, kx: Floats, ky: Floats) -> Launch:
-        """Return what decides how much of waves the inlet launches."""
+        """Return the coordinate of the waves launched by the inlet."""
         under_slip, both = Medium(*self._media[:, 0].T), Medium(*self._media.T)
         psi = both.complementary_number(np.stack([kx * self._moving, kx + 0 * self._slip]), ky)
         return Launch(
@@ -165,7 +165,7 @@ class SlidingShape(Shape):
 
     @cached_property
     def _chart(self) -> Chart:
-        """Of the only contact in pure rolling."""
+        """Transfer of the only contact in pure rolling."""
         return self._rolls(self._contacts[0])
 
 

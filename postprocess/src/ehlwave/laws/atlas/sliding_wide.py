@@ -33,8 +33,8 @@ SLOWEST_LAUNCH = 0.18
 class WideSlidingShape(SlidingShape):
     """Responses of contacts that slide, as the wide atlas sees them: S may be 0.
 
-    The law has coefficients of its own, fitted to its points: beyond the usual ranges the usual
-    ones miss 5 % of the responses by more than 0.24 of Ai, these by more than 0.18.
+    The law has coefficients of its own, fitted to its points: beyond the usual ranges 5 % of the
+    responses differ by more than 0.18 of Ai, with the usual coefficients by 0.24.
     """
 
     POWERS = (0.245, 0.187, 0.641, 0.639, 0.274, 0.34, 0.073)
@@ -64,7 +64,7 @@ def thinning_of(contact: Conditions) -> float:
 
 
 def wide_sliding_references(keys: Mapping[str, ArrayLike]) -> Floats:
-    """Return references as of the usual atlas, of films that :data:`WIDE` knows."""
+    """Return references as in the usual atlas, for films of :data:`WIDE`."""
     return sliding_references(keys, WIDE)
 
 
@@ -75,7 +75,7 @@ def film_under_slip(keys: Mapping[str, float]) -> float:
 
 
 def beyond_sliding(keys: Mapping[str, float]) -> str:
-    """Return what a contact has too much of for the atlas; '' if nothing."""
+    """Return the excess of a contact over the atlas; '' if none."""
     beyond = beyond_limits(keys)
     if beyond:
         return beyond

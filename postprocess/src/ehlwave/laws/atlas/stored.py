@@ -28,7 +28,7 @@ def read_stored(path: str | Path) -> xr.Dataset:
     Raises
     ------
     ResultsError
-        If it cannot be read, or its checksum is not that of its data.
+        If it cannot be read, or has a wrong checksum.
     """
     try:
         with xr.open_dataset(path, **AS_STORED) as opened:
@@ -61,7 +61,7 @@ def committee_of(data: xr.Dataset, name: str) -> Committee:
 
 @dataclass(frozen=True)
 class ErrorBars:
-    """Finds error bars: networks of ln of the errors, times what makes bars of them."""
+    """Finds error bars: networks of ln of the errors, times factors that make bars of them."""
 
     log_errors: Committee
     factors: Floats
@@ -72,17 +72,17 @@ class ErrorBars:
 
 
 def errors_of(data: xr.Dataset, name: str) -> ErrorBars:
-    """Return what finds the error bars of this name."""
+    """Return the function of error bars of this name."""
     return ErrorBars(
         committee_of(data, name), np.asarray(json.loads(data.attrs[f"{name}_factors"]))
     )
 
 
 def checksum(data: xr.Dataset) -> str:
-    """Return the SHA-256 digest of what is stored.
+    """Return the SHA-256 digest of the stored data.
 
-    The digest is that of names, shapes, numbers in little-endian order and steps of all variables
-    in alphabetical order, and of the texts among the attributes. It depends on no library.
+    The digest covers names, shapes, numbers in little-endian order and steps of all variables in
+    alphabetical order, and of the texts among the attributes. It depends on no library.
 
     Parameters
     ----------
