@@ -37,9 +37,11 @@ contains
       if (case%touching%law == soft .and. .not. min(case%touching%softness_m, case%touching%stress_pa) > 0) then
          call raise(error, "&touching law = 'soft' needs softness_m and stress_pa: write both, or law = 'hard'")
       else if (.not. case%is_dimensional) then
-         call raise(error, '&touching film_m holds metres: give &conditions by dimensional data (radius_x_m, ...) in '// &
+         call raise(error, '&touching film_m holds metres: give &conditions by dimensional data (radius_x_m, '// &
+            '...) in '// &
             'place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
-      else if (case%is_rough() .and. .not. case%moves() .and. min(amplitude(case%roughness_t), amplitude(case%second)) <= 0) &
+      else if (case%is_rough() .and. .not. case%moves() .and. min(amplitude(case%roughness_t), &
+         amplitude(case%second)) <= 0) &
          then
          call refuse('&waviness amplitude_over_film', 'takes waves at rest whose height is known: give amplitude_m')
       else if (case%radius_ratio_d > 0) then
@@ -47,27 +49,31 @@ contains
             'load_n and radius_y_m')
       else if (case%heat%is_given()) then
          call refuse('&heat is given', 'is isothermal, as the heat of sliding solids is not built: remove &heat')
-      else if (case%is_starved() .or. case%oil_profile /= '') then
+      else if (case%effects%starvation%is_given() .or. case%effects%starvation%oil_profile /= '') then
          call refuse('&inlet gives less oil than fills the gap', 'takes flooded inlets: remove oil_over_flooded, '// &
             'oil_layer_m and oil_profile')
       else if (case%is_rough() .and. case%response /= 'transient') then
          call refuse("&waviness response = '"//trim(case%response)//"'", 'is not linear, and periodic states with '// &
             "it are not built: use response = 'transient'")
       else if (case%method == 'fas' .or. case%method == 'petsc') then
-         call refuse("&solver method = '"//trim(case%method)//"'", "is solved by Newton's method: use 'auto' or 'newton'")
+         call refuse("&solver method = '"//trim(case%method)//"'", &
+            "is solved by Newton's method: use 'auto' or 'newton'")
       else if (case%accuracy > 0) then
-         call refuse('&solver accuracy', 'states its errors by the mesh and chooses none: remove accuracy and give cells')
+         call refuse('&solver accuracy', 'states its errors by the mesh and chooses none: remove accuracy and '// &
+            'give cells')
       else if (case%sensitivities) then
          call refuse('&output sensitivities', 'has none: remove the key')
       else if (case%time_step_over_cell > 1 .or. .not. case%time_step_over_cell > 0) then
          call refuse('&solver time_step_over_cell', 'follows the oil from node to node: use 1, 0.5, 0.25, ...')
       else if (case%touching%seeks_speed() .and. case%marches()) then
-         call refuse('&touching share', 'finds a speed in steady states only: remove share, or let the rough surface '// &
+         call refuse('&touching share', 'finds a speed in steady states only: remove share, or let the rough '// &
+            'surface '// &
             'rest (slip_parameter = 0)')
       end if
       if (allocated(error)) return
       case%method = 'newton'
-      if (case%scheme == 'auto') case%scheme = 'fitted'   ! a third of the error of the averaged one in the speed of a share
+      ! a third of the error of the averaged one in the speed of a share
+      if (case%scheme == 'auto') case%scheme = 'fitted'
 
    contains
 

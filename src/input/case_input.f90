@@ -91,7 +91,8 @@ contains
       call take_values(list, self%case)
       if (allocated(error)) return
       if (file%has_group('touching') .and. .not. self%case%touching%is_given()) then
-         call raise(error, file%place('touching', '')//'&touching film_m is missing: write the boundary film at which '// &
+         call raise(error, file%place('touching', '')//'&touching film_m is missing: write the boundary film at '// &
+            'which '// &
             'solids begin to bear, on which their share depends, or remove the group')
          return
       end if

@@ -25,7 +25,8 @@ contains
          "'soft': stress_pa exp((film_m - gap)/softness_m), of roughness finer than the grid", choices=hard//' '//soft))
       call list%see(touching%solid_friction, key_t('solid_friction', 'friction coefficient of the solids', &
          minimum=0.0_dp, maximum=10.0_dp))
-      call list%see(touching%share, key_t('share', 'share of the load that the solids bear; the speed at which they '// &
+      call list%see(touching%share, key_t('share', 'share of the load that the solids bear; the speed at which '// &
+         'they '// &
          'do is found, from mean_speed_m_per_s on; none: at the speed given', above=0.0_dp, maximum=0.999_dp))
       list%common%applies = touching%law == soft
       list%common%when = "law = 'soft'"

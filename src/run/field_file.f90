@@ -68,7 +68,8 @@ contains
          if (allocated(result%shear_stress_pa)) call file%write('mean_shear_stress_pa', result%shear_stress_pa, 'Pa', &
             'mean of the shear stresses at the two surfaces along x, last solution', 'x', 'y')
          if (allocated(result%touching%c)) then
-            call file%write('contact_pressure', result%touching%c, '1', 'C = c/ph, pressure of the solids, last solution', &
+            call file%write('contact_pressure', result%touching%c, '1', &
+               'C = c/ph, pressure of the solids, last solution', &
                'x', 'y')
             call file%write('content', result%touching%theta, '1', &
                'theta, share of the gap that oil fills, last solution', 'x', 'y')

@@ -232,7 +232,7 @@ contains
          exists=is_warm .and. case%is_wavy())
    end subroutine add_heat
 
-   !> What the solids bear, where surfaces may touch.
+   !> Load, area and friction of the solids, where surfaces may touch.
    subroutine add_touching(list, case, plan, touching)
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case
@@ -250,7 +250,8 @@ contains
       call list%add('touching_is_artefact', '1 where the share falls with the mesh size', touching%is_artefact, &
          exists=exists)
       call list%add('touching_meshes', 'meshes that these errors are from', touching%meshes, exists=exists)
-      call list%add('mean_speed_m_per_s', 'mean speed at which the solids bear the share that is given', touching%speed, &
+      call list%add('mean_speed_m_per_s', 'mean speed at which the solids bear the share that is given', &
+         touching%speed, &
          unit='m/s', exists=case%touching%seeks_speed())
       call list%add('mean_speed_error', 'its relative error by the mesh', touching%speed_error, &
          exists=case%touching%seeks_speed())

@@ -133,7 +133,8 @@ contains
          end if
       end if
       call count(report, result)
-      if (is_finest .or. report%status /= status_converged) call take_report(report, 'steady state with touching', result)
+      if (is_finest .or. report%status /= status_converged) call take_report(report, 'steady state with touching', &
+         result)
    end subroutine find_steady
 
    !> The contact on the mesh of a plan.
@@ -250,7 +251,8 @@ contains
             allocate (result%h, source=state%h)
             allocate (touching%c, source=state%c)
             allocate (touching%theta, source=state%theta)
-            if (knows_stress(problem%conditions)) call mean_shear_stress(problem, state_of(state), result%shear_stress_pa)
+            if (knows_stress(problem%conditions)) call mean_shear_stress(problem, state_of(state), &
+               result%shear_stress_pa)
          end if
       end associate
       result%is_resolved = plan%resolution%is_resolved .and. .not. result%touching%is_artefact

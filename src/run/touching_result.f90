@@ -42,7 +42,8 @@ module ehlwave_touching_result
       procedure :: warning
    end type touching_result_t
 
-   real(dp), parameter :: falling = 0.6_dp         !! share on half the mesh over the share before: below it falls with it
+   ! share on half the mesh over the share before: below it falls with it
+   real(dp), parameter :: falling = 0.6_dp
    real(dp), parameter :: notable = 1e-4_dp        !! share that may be an artefact
 
 contains
@@ -108,7 +109,8 @@ contains
       state%delta = touching%delta
    end function state_of
 
-   !> Errors by the mesh: the difference to the mesh twice as wide, or a quarter of the difference before where that is more;
+   !> Errors by the mesh: the difference to the mesh twice as wide, or a quarter of the difference before where that
+   !> is more;
    !> of the area a cell at either edge besides. The share is an artefact where it falls each time the mesh is halved.
    subroutine estimate(self, levels, hx)
       class(touching_result_t), intent(inout) :: self

@@ -5,8 +5,8 @@
 !>     R_i = driven flow - (F_i - F_(i-1))/hX,    F_i = theta_i (3/2 f_i - 1/2 f_(i-1)),    f = rho H,
 !>
 !> the capacity of the gap at the face behind node i times the share that is filled. Each F leaves one cell and enters
-!> the next, so that no oil is made or lost. Along a characteristic f_(i-1) and F_(i-1) are those of the step before. Where
-!> theta = 1 these are the differences of the full film, theory eq. (D1) and (D5).
+!> the next, so that no oil is made or lost. Along a characteristic f_(i-1) and F_(i-1) are those of the step before.
+!> Where theta = 1 these are the differences of the full film, theory eq. (D1) and (D5).
 module ehlwave_touching_equations
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_flow, only: flow_t, new_flow
@@ -24,9 +24,10 @@ module ehlwave_touching_equations
    integer, parameter, public :: link_i(links) = [0, 1, -1, 0, 0, -2]
    integer, parameter, public :: link_j(links) = [0, 0, 0, 1, -1, 0]
 
-   real(dp), parameter :: least_face = 0.25_dp   !! capacity at a face over that of its node, where the gap opens steeply
+   ! capacity at a face over that of its node, where the gap opens steeply
+   real(dp), parameter :: least_face = 0.25_dp
 
-   !> What the steps before pass on along the characteristics.
+   !> Oil that the steps before pass on along the characteristics.
    type, public :: touching_past_t
       real(dp), allocatable :: f(:, :, :)        !! rho H at T - n dT, (0:nx, 0:ny, steps of a cell)
       real(dp), allocatable :: passed(:, :, :)   !! F there

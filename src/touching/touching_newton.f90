@@ -165,7 +165,8 @@ contains
       end associate
    end subroutine differentiate_by_speed
 
-   !> Take a limited step and choose the sets anew. Solids leave where C < 0 and bear where the gap is below the boundary
+   !> Take a limited step and choose the sets anew. Solids leave where C < 0 and bear where the gap is below the
+   !> boundary
    !> film; the film breaks where P < 0 and is full where theta > 1.
    subroutine take_step(self, state, change, changed)
       class(touching_solver_t), intent(inout) :: self
