@@ -10,6 +10,7 @@ module ehlwave_case_completion
    use ehlwave_kinds, only: dp
    use ehlwave_case_roughness, only: check_line_roughness, check_response, complete_roughness
    use ehlwave_method_choice, only: choose_method
+   use ehlwave_sensitivity_check, only: check_sensitivities
    use ehlwave_scheme_choice, only: check_scheme, choose_scheme
    use ehlwave_petsc_library, only: require_petsc
    use ehlwave_text, only: to_text
@@ -40,6 +41,7 @@ contains
       if (.not. allocated(error)) call check_response(case, error)
       if (.not. allocated(error)) call effects%check(case, error)
       call check_touching(case, error)
+      call check_sensitivities(case, error)
       if (.not. allocated(error)) call check_scheme(case, error)
       if (.not. allocated(error)) call choose_scheme(case, conditions)
       if (.not. allocated(error)) call choose_method(case, conditions)

@@ -71,8 +71,6 @@ contains
                "transverse, isotropic or custom waves with response = 'transient' or 'both', or remove it")
          else if (case%method == 'fas') then
             call raise(error, "&solver method = 'fas' does not take &heat: use 'newton' or 'petsc'")
-         else if (case%sensitivities) then
-            call raise(error, '&output sensitivities are those of an isothermal contact: remove them, or &heat')
          end if
       end associate
    end subroutine check_heat

@@ -125,8 +125,6 @@ contains
       else if (case%response /= 'harmonic') then
          call raise(error, '&waviness'//number//' wavelength_y_over_a = '//to_text(roughness%wavelength_y_over_a, 6)// &
                     line//way//'wavelength_y_over_a to 0')
-      else if (case%sensitivities) then
-         call raise(error, '&output sensitivities'//line//'has those of transverse waves only: remove it')
       end if
    end subroutine check_line_roughness
 

@@ -86,8 +86,9 @@ contains
          'with '// &
          '--output a march writes pressure, film and shear stress over time; 0: the last fields alone', &
          minimum=0.0_dp, is_late=.true., can_vary=.false.))
-      call list%see(case%sensitivities, key_t('sensitivities', 'whether film and linear response are '// &
-         'differentiated by alpha and by the stress of the flow law', is_late=.true.))
+      call list%see(case%sensitivities, key_t('sensitivities', 'whether results are differentiated '// &
+         'by every input; film, friction, resistance to rolling and linear response of contacts without heat, on a '// &
+         'mesh in units of a and b', is_late=.true.))
       call list%see(case%mean_rise, key_t('mean_rise', 'whether a linear response finds to second order what waves '// &
          'do to the mean film, and the smallest film; .false. saves a third of its work, and does not tell whether '// &
          'waves touch', is_late=.true., is_effort=.true., &

@@ -1,6 +1,7 @@
 !> The result of one case without its effects. Values are NaN until they are computed.
 module ehlwave_bare_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_contact_variant, only: variable_length
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_field_history, only: field_history_t
    use ehlwave_harmonic_result, only: harmonic_result_t
@@ -16,6 +17,10 @@ module ehlwave_bare_result
 
    integer, parameter, public :: rung_length = 12
 
+   !> Results that are differentiated by every input; the phase itself, of the others the logarithm.
+   integer, parameter, public :: of_central_film = 1, of_minimum_film = 2, of_friction = 3, &
+      of_rolling_coefficient = 4, of_rolling_force = 5, of_ratio = 6, of_phase = 7, gradients = 7
+
    !> Derivatives by the logarithm of a property of the oil, all else of the contact the same; NaN: not asked for, or
    !> none.
    type, public :: oil_sensitivity_t
@@ -24,6 +29,12 @@ module ehlwave_bare_result
       real(dp) :: response_real = no_value           !! of the transfer function from the pattern to H(0,0)
       real(dp) :: response_imaginary = no_value
    end type oil_sensitivity_t
+
+   !> Derivatives by the logarithm of a variable, see `case/case_variables`; NaN: none.
+   type, public :: gradient_t
+      character(len=variable_length) :: name = ''
+      real(dp) :: of(gradients) = no_value
+   end type gradient_t
 
    type, public :: bare_result_t
       integer :: status = status_pending
@@ -63,6 +74,7 @@ module ehlwave_bare_result
       type(harmonic_result_t) :: harmonic            !! linear response, if asked for
       type(pair_result_t) :: pair                    !! of the second rough surface, and of both
       type(oil_sensitivity_t) :: by_oil(2)           !! by ln(alpha), by ln(stress of the flow law)
+      type(gradient_t), allocatable :: by_key(:)     !! by each variable, if asked for
       type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates
       type(rolling_result_t) :: rolling              !! its resistance to rolling
       type(heat_result_t) :: heat                    !! temperatures of the smooth contact, if they are found

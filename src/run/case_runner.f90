@@ -22,7 +22,7 @@ module ehlwave_case_runner
    use ehlwave_resolution, only: add_reason, closing_reason, touching_reason
    use ehlwave_periodic_case, only: find_periodic_state
    use ehlwave_rescue, only: rescue_t, rung_name
-   use ehlwave_sensitivity_case, only: find_film_sensitivities
+   use ehlwave_sensitivity_case, only: find_smooth_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
    use ehlwave_shear_stress, only: mean_shear_stress
    use ehlwave_state, only: state_t
@@ -93,7 +93,7 @@ contains
                call add_warning(result, heat%warning())
             end associate
             if (plan%surfaces%is_rough()) call add_warning(result, wave_heat_text(case, result%heat%frozen_error))
-            if (case%sensitivities) call find_film_sensitivities(case, steady, result)
+            if (case%sensitivities) call find_smooth_sensitivities(case, plan, steady, result)
             if (plan%responds) call run_responses(case, plan, steady, result)
          end if
          besides = steady%work_so_far() - result%work

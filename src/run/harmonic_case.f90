@@ -105,7 +105,8 @@ contains
          call find_mean(waves, steady, response, result, harmonic, mean)
       end if
       result%work = result%work + steady%multigrid%work() - work_before
-      if (case%sensitivities .and. surface == 1) call find_response_sensitivities(steady, response, result)
+      if (case%sensitivities .and. surface == 1) &
+         call find_response_sensitivities(case, plan, steady, response, result)
       associate (level => steady%multigrid%levels(n))
          if (waves%moves()) harmonic%waves = new_two_wave_result(level%problem, level%state, waves, response%h)
       end associate

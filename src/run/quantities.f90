@@ -18,9 +18,10 @@ module ehlwave_quantities
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_rolling_result, only: rolling_result_t
+   use ehlwave_sensitivity_quantities, only: add_sensitivities
    use ehlwave_status, only: status_name
    use ehlwave_touching_result, only: touching_result_t
-   use ehlwave_wave_quantities, only: add_pair, add_response, add_sensitivities
+   use ehlwave_wave_quantities, only: add_pair, add_response
    implicit none (type, external)
    private
    public :: add_result
@@ -78,7 +79,7 @@ contains
                     validity_text(case, plan, result%warning))
       call add_response(list, result%harmonic, '', .true.)
       call add_pair(list, case%is_pair(), result%pair)
-      call add_sensitivities(list, case, result%by_oil)
+      call add_sensitivities(list, case, result)
       call add_formulas(list, result)
       call add_effort(list, result)
    end subroutine add_result

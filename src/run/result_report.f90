@@ -7,6 +7,7 @@ module ehlwave_result_report
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
+   use ehlwave_sensitivity_report, only: print_sensitivities
    use ehlwave_status, only: is_solved, status_name
    use ehlwave_text, only: to_text
    use ehlwave_threads, only: thread_count
@@ -51,7 +52,7 @@ contains
             to_text(result%f_r*result%v, 5)//', f(r) V2 = '//to_text(result%f_r*result%v2, 5)//', f(r) = '// &
             to_text(result%f_r, 5)
       end if
-      call print_sensitivities()
+      call print_sensitivities(unit, result)
       if (ieee_is_finite(result%central_film_error)) write (unit, &
          '(a)') 'Estimated    relative errors: H(0,0) by the grid '// &
          to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)// &
@@ -136,21 +137,6 @@ contains
          write (unit, '(a)') '             '//to_text(r%linear_steps)//' GMRES steps, '// &
             to_text(r%counted_work_units, 4)//' work units'
       end subroutine print_response
-
-      !> Exponents of the oil's coefficient and stress in laws of H(0,0) and Ad/Ai.
-      subroutine print_sensitivities()
-         character(len=6), parameter :: by(2) = [character(len=6) :: 'alpha', 'stress']
-         character(len=:), allocatable :: response
-         integer :: x
-         do x = 1, size(by)
-            associate (r => result%by_oil(x))
-               response = ''
-               if (ieee_is_finite(r%response)) response = ', Ad/Ai with '//to_text(r%response, 4)
-               if (ieee_is_finite(r%film)) write (unit, '(a)') 'Sensitivity  H(0,0) goes with the power '// &
-                  to_text(r%film, 4)//' of '//trim(by(x))//response
-            end associate
-         end do
-      end subroutine print_sensitivities
 
       subroutine print_shear()
          associate (r => result%shear)

@@ -2,12 +2,15 @@
 module ehlwave_rolling_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_error_estimate, only: estimate_error, formal_order
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_rolling_moment, only: shift_inside, shift_outside, wet_share
+   use ehlwave_state, only: state_t
    implicit none (type, external)
    private
+   public :: rolling_coefficient
 
    !> NaN where it is not known: the coefficient without E' and pressure, the others without lengths.
    type, public :: rolling_result_t
@@ -43,7 +46,7 @@ contains
 
       shift = no_value
       associate (problem => levels(1)%problem)
-         times = max(real(fewest_domains, dp), problem%conditions%radius_over_a()/abs(problem%grid%x(0)))
+         times = times_outside(problem)
          all_outside = shift_outside(problem, times)
          outside = all_outside*wet_share(problem, levels(1)%state)
          do l = 1, size(levels)
@@ -57,6 +60,22 @@ contains
             self%coefficient = shift(1)/(2*problem%conditions%radius_over_a())
       end associate
    end subroutine take
+
+   !> How far out oil counts, over the size of the domain.
+   pure real(dp) function times_outside(problem) result(times)
+      type(contact_problem_t), intent(in) :: problem
+      times = max(real(fewest_domains, dp), problem%conditions%radius_over_a()/abs(problem%grid%x(0)))
+   end function times_outside
+
+   !> The coefficient of a steady solution; NaN where it is not known.
+   real(dp) function rolling_coefficient(problem, state) result(coefficient)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      coefficient = no_value
+      if (.not. problem%conditions%radius_over_a() > 0) return
+      coefficient = (shift_inside(problem, state) + shift_outside(problem, times_outside(problem))* &
+                     wet_share(problem, state))/(2*problem%conditions%radius_over_a())
+   end function rolling_coefficient
 
    !> Complete the error, which so far is that of the mesh; where no second grid shows that, it is the film error.
    pure subroutine add_errors(self, film_error, edge_error, heat_error, lacks_oil)

@@ -2,6 +2,7 @@
 module ehlwave_shared_steady
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_text, only: effective_input
+   use ehlwave_contact_variant, only: contact_variable_t
    use ehlwave_effects_result, only: effects_result_t
    use ehlwave_energy, only: energy_t
    use ehlwave_full_multigrid, only: full_multigrid_t
@@ -10,7 +11,6 @@ module ehlwave_shared_steady
    use ehlwave_heat_data, only: new_heat_scales
    use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp
-   use ehlwave_oil_sensitivity, only: by_alpha, by_stress, differentiate_steady
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_rescue, only: rescue_t, rung_direct
    use ehlwave_rolling_result, only: rolling_result_t
@@ -18,7 +18,7 @@ module ehlwave_shared_steady
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_status, only: status_converged
-   use ehlwave_steady_tangent, only: tangent_change_t
+   use ehlwave_steady_gradient, only: steady_gradient_t
    use ehlwave_text, only: to_text
    use ehlwave_warm_steady, only: solve_warm
    implicit none (type, external)
@@ -34,8 +34,7 @@ module ehlwave_shared_steady
       type(rolling_result_t) :: rolling              !! its resistance to rolling
       type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
       class(harmonic_solver_t), allocatable :: response          !! about the finest level
-      type(tangent_change_t) :: by_oil(2)            !! of its state, by ln(alpha) and by ln(stress), see
-                                                     !! `differentiate`
+      type(steady_gradient_t) :: gradient            !! of its state, see `differentiate`
       class(harmonic_solver_t), allocatable :: coarse_response   !! about the next coarser one, if `has_coarse`
       logical :: has_coarse = .false.
       integer :: many_nodes = 1000000                !! above which linear systems are not kept side by side
@@ -223,25 +222,21 @@ contains
       call self%response%count_tangent(self%multigrid%levels)
    end subroutine make_room
 
-   !> Derivatives of the steady state by the oil. Where the oil does not depend on a property they are not converged.
-   subroutine differentiate(self, case)
+   !> Derivatives of the steady state by variables.
+   subroutine differentiate(self, case, variables)
       class(shared_steady_t), intent(inout) :: self
       type(case_t), intent(in) :: case
+      type(contact_variable_t), intent(in) :: variables(:)
       real(dp) :: work_before
 
-      if (self%is_differentiated) self%kept_work = self%kept_work + self%derivative_work
-      if (self%is_differentiated) return
+      if (self%is_differentiated .and. self%gradient%serves(variables)) then
+         self%kept_work = self%kept_work + self%derivative_work
+         return
+      end if
       work_before = self%multigrid%work()
-      self%by_oil = tangent_change_t()
       call self%response%find_tangent(self%multigrid%levels)
-      associate (levels => self%multigrid%levels, &
-         oil => self%multigrid%levels(size(self%multigrid%levels))%problem%rheology, &
-                 tolerance => min(tangent_tolerance, case%tolerance))
-         if (oil%depends_on_alpha()) &
-            call differentiate_steady(self%response%tangent, levels, by_alpha, tolerance, self%by_oil(by_alpha))
-         if (.not. oil%is_newtonian()) &
-            call differentiate_steady(self%response%tangent, levels, by_stress, tolerance, self%by_oil(by_stress))
-      end associate
+      call self%gradient%find(self%response%tangent, self%multigrid%levels, self%effects%starvation%flooded, variables, &
+                              min(tangent_tolerance, case%tolerance))
       self%is_differentiated = .true.
       self%derivative_work = self%multigrid%work() - work_before
    end subroutine differentiate

@@ -1,14 +1,12 @@
 !> Quantities of linear responses, see `ehlwave_quantities`.
 module ehlwave_wave_quantities
-   use ehlwave_case_definition, only: case_t
-   use ehlwave_case_result, only: oil_sensitivity_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_pair_result, only: pair_result_t
    use ehlwave_quantity, only: quantity_list_t
    implicit none (type, external)
    private
-   public :: add_pair, add_response, add_sensitivities
+   public :: add_pair, add_response
 
 contains
 
@@ -106,26 +104,5 @@ contains
       call list%add_truth('surfaces_touch_both', '1 when both waves together would touch, second order; -1: not '// &
          'known', pair%surfaces_touch, exists=is_pair)
    end subroutine add_pair
-
-   !> Derivatives by the oil, where they were asked for.
-   subroutine add_sensitivities(list, case, by_oil)
-      type(quantity_list_t), intent(inout) :: list
-      type(case_t), intent(in) :: case
-      type(oil_sensitivity_t), intent(in) :: by_oil(:)
-      character(len=*), parameter :: by(2) = [character(len=6) :: 'alpha', 'stress'], &
-                                     of(2) = [character(len=31) :: 'alpha', 'the stress of the flow law']
-      integer :: x
-
-      do x = 1, size(by_oil)
-         call list%add('film_sensitivity_'//trim(by(x)), 'd ln H(0,0) of the smooth contact/d ln '//trim(of(x)), &
-            by_oil(x)%film, exists=case%sensitivities)
-         call list%add('response_sensitivity_'//trim(by(x)), 'd ln harmonic_ratio/d ln '//trim(of(x)), &
-            by_oil(x)%response, exists=case%sensitivities)
-         call list%add('response_real_by_'//trim(by(x)), 'd harmonic_real/d ln '//trim(of(x)), &
-            by_oil(x)%response_real, exists=case%sensitivities)
-         call list%add('response_imaginary_by_'//trim(by(x)), 'd harmonic_imaginary/d ln '//trim(of(x)), &
-                       by_oil(x)%response_imaginary, exists=case%sensitivities)
-      end do
-   end subroutine add_sensitivities
 
 end module ehlwave_wave_quantities

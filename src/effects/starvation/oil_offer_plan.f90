@@ -42,9 +42,6 @@ contains
       else if (.not. any(case%method == ['newton', 'auto  '])) then
          call raise(error, given//"starved contacts are solved by method = 'newton' alone, not by '"// &
             trim(case%method)//"', whose sweeps know no partly filled nodes")
-      else if (case%sensitivities) then
-         call raise(error, given//'&output sensitivities are those of flooded contacts (the oil offered would '// &
-                    'change with the film): remove it')
       else if (has_pattern .and. abs(case%slip_parameter - 1) > 0) then
          call raise(error, given//'waves and surfaces need pure rolling, slip_parameter = 1: where the gap is not '// &
                     'full, under slip each layer moves with its own surface, which the model does not know')

@@ -243,7 +243,7 @@ class CaseKeys(TypedDict, total=False):
     fields_every: SupportsIndex
     """time steps from one kept set of fields to the next"""
     sensitivities: bool
-    """whether film and linear response are differentiated by alpha and by the stress of the flow"""
+    """whether results are differentiated by every input"""
     mean_rise: bool
     """whether a linear response finds to second order what waves do to the mean film"""
 
