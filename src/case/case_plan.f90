@@ -94,7 +94,6 @@ contains
                     "'transient' or 'both'")
          return
       end if
-      if (case%heat%is_given()) plan%levels = case%heat%levels + 1
       if (case%fields_every > 0) plan%field_sets = plan%steps/case%fields_every + 1
       plan%resolution = judge_resolution(plan%conditions, plan%surfaces, plan%x_min, plan%y_max, plan%hx, plan%hy, &
          plan%dt, plan%is_fitted)

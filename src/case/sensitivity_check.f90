@@ -14,7 +14,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
 
       if (allocated(error) .or. .not. case%sensitivities) return
-      if (case%heat%is_given()) then
+      if (case%effects%heat%is_given()) then
          call raise(error, '&output sensitivities are derivatives of an isothermal contact: remove them, or &heat')
       else if (case%is_measured() .or. case%second%is_measured()) then
          call raise(error, '&output sensitivities: a march of a measured surface is not differentiated: remove '// &

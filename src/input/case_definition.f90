@@ -3,11 +3,9 @@ module ehlwave_case_definition
    use ehlwave_case_key, only: name_length => choice_length
    use ehlwave_conditions, only: contact_data_t
    use ehlwave_effects_keys, only: effects_keys_t
-   use ehlwave_heat_data, only: heat_data_t
    use ehlwave_kinds, only: dp
    use ehlwave_number_table, only: path_length
    use ehlwave_oil, only: oil_t
-   use ehlwave_touching_data, only: touching_data_t
    implicit none (type, external)
    private
    public :: name_length, path_length
@@ -40,10 +38,6 @@ module ehlwave_case_definition
       real(dp) :: slide_to_roll_ratio = no_ratio         !! the same in other words: completed from S, or S from it
       ! &lubricant
       type(oil_t) :: oil
-      ! &heat
-      type(heat_data_t) :: heat
-      ! &touching
-      type(touching_data_t) :: touching
       ! &waviness
       character(len=name_length) :: response = 'transient'
       ! &waviness2 and &surface2

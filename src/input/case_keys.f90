@@ -10,12 +10,10 @@ module ehlwave_case_keys
    use ehlwave_case_key, only: key_t
    use ehlwave_effect_keys, only: by_second_order
    use ehlwave_key_list, only: key_list_t
-   use ehlwave_heat_keys, only: visit_heat_keys
    use ehlwave_kinds, only: dp
    use ehlwave_oil_keys, only: visit_oil_keys
    use ehlwave_roughness_keys, only: visit_surface, visit_waviness
    use ehlwave_threads, only: most_threads
-   use ehlwave_touching_keys, only: visit_touching_keys
    implicit none (type, external)
    private
    public :: case_key_list, case_values, take_values
@@ -59,13 +57,12 @@ contains
 
       call list%begin()
       call visit_conditions(case, list)
-      call visit_oil_keys(case%oil, case%heat%is_given(), list)
-      call visit_heat_keys(case%heat, list)
-      call visit_touching_keys(case%touching, list)
+      call visit_oil_keys(case%oil, case%effects%are_warm(), list)
+      call case%effects%visit('lubricant', list)
       call visit_waviness(case%roughness_t, '', list)
       call list%see(case%phase_deg, key_t('phase_deg', 'phase of waves at rest; 0: smallest gap at X = 0', unit='deg', &
          minimum=-360.0_dp, maximum=360.0_dp, is_late=.true., when='waves at rest with &touching', &
-         applies=case%touching%is_given() .and. case%is_wavy() .and. .not. case%moves()))
+         applies=case%effects%touching%is_given() .and. case%is_wavy() .and. .not. case%moves()))
       call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude "// &
          "in time, "// &
          "'periodic': the periodic state of these waves, by a march from their linear response; where that does "// &
@@ -79,7 +76,7 @@ contains
       call visit_grid(case, list)
       call visit_solver(case, list)
       call visit_dynamics(case, list)
-      call list%enter('output', 'What is computed besides, and kept.')
+      call list%enter('output', 'Additional results and files.')
       call list%see(case%fields, key_t('fields', 'whether the last fields are kept even without --output', &
          is_written=.false., can_vary=.false.))
       call list%see(case%fields_every, key_t('fields_every', 'time steps from one kept set of fields to the next; '// &
@@ -89,9 +86,9 @@ contains
       call list%see(case%sensitivities, key_t('sensitivities', 'whether results are differentiated '// &
          'by every input; film, friction, resistance to rolling and linear response of contacts without heat, on a '// &
          'mesh in units of a and b', is_late=.true.))
-      call list%see(case%mean_rise, key_t('mean_rise', 'whether a linear response finds to second order what waves '// &
-         'do to the mean film, and the smallest film; .false. saves a third of its work, and does not tell whether '// &
-         'waves touch', is_late=.true., is_effort=.true., &
+      call list%see(case%mean_rise, key_t('mean_rise', 'whether a linear response includes the change of the '// &
+         'mean film by waves, to second order, and the smallest film; .false. saves a third of its work, without '// &
+         'a warning when waves touch', is_late=.true., is_effort=.true., &
          counts=case%responds() .and. .not. case%effects%refuse(by_second_order), when=linear//' in flooded contacts'))
    end subroutine visit_case_keys
 
@@ -149,13 +146,13 @@ contains
          maximum=8192.0_dp))
       call list%see(case%cells_y, key_t('cells_y', 'cells along Y over the whole domain; as cells_x', minimum=0.0_dp, &
          maximum=8192.0_dp, applies=is_elliptical, when=elliptical))
-      call list%see(case%largest_cells, key_t('largest_cells', 'limit of what is chosen', minimum=64.0_dp, &
+      call list%see(case%largest_cells, key_t('largest_cells', 'limit of chosen cells', minimum=64.0_dp, &
          maximum=8192.0_dp, default='1024; of line contacts 8192', is_written=min(case%cells_x, case%cells_y) == 0, &
          counts=min(case%cells_x, case%cells_y) == 0 .or. case%accuracy > 0, is_effort=.true., &
          when='cells_x or cells_y = 0, or accuracy'))
       call list%see(case%domain, key_t('domain', "computed domain; 'auto': half of it where the case is even in Y, "// &
          "'whole': "//'always all of it', choices='auto whole', applies=is_elliptical, when=elliptical))
-      call list%see(case%edges, key_t('edges', "pressure at the edges of the domain; 'flooded': that of the oil "// &
+      call list%see(case%edges, key_t('edges', "pressure at the edges of the domain; 'flooded': from the oil "// &
          "farther out; "// &
          "with accuracy a domain of the usual size is enlarged where that takes more; 'truncated': 0, which "// &
          "starves the contact a little", choices='flooded truncated'))
@@ -199,8 +196,8 @@ contains
          "(builds with PETSc)", choices='auto newton fas petsc'))
       call list%see(case%cycle, key_t('cycle', 'multigrid cycle', choices='f v w', default="'f'", &
          applies=case%method == 'fas', when="method = 'fas'"))
-      call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': by the faster "// &
-         "one, 'fft'; 'mlmi': multilevel multi-integration, whose error is far below that of the discretisation", &
+      call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': the faster "// &
+         "method, 'fft'; 'mlmi': multilevel multi-integration, with an error far below the discretisation error", &
          choices='auto fft mlmi'))
       call list%see(case%scheme, key_t('scheme', "differences of the Reynolds equation; 'averaged': eps averaged "// &
          "between nodes, upstream differences of second order; 'fitted': fluxes that integrate steep inlets "// &
@@ -212,7 +209,7 @@ contains
          "same case on 2 and 4 times the mesh size (5 to 15 % of the time), 'model': the error that the plan expects", &
          choices='coarse_grid model', counts=case%has_ratio() .and. case%response /= 'harmonic', is_effort=.true., &
          when="waves without response = 'harmonic'"))
-      call list%see(case%accuracy, key_t('accuracy', 'relative error wanted in Ad/Ai, of smooth contacts in '// &
+      call list%see(case%accuracy, key_t('accuracy', 'requested relative error of Ad/Ai, in smooth contacts of '// &
          'H(0,0); e.g. 0.01: chooses cells, time step and tolerances that are not given', above=0.0_dp, maximum=0.2_dp))
       call list%see(case%threads, key_t('threads', 'threads that share one case; no result depends on them; 0: '// &
          'OMP_NUM_THREADS, else the cores that are its own', minimum=0.0_dp, maximum=real(most_threads, dp), &
@@ -224,13 +221,13 @@ contains
       type(key_list_t), intent(inout) :: list
 
       call list%enter('dynamics', 'Load and mutual approach in time.')
-      call list%see(case%load_balance, key_t('load_balance', 'what moves the mutual approach', &
+      call list%see(case%load_balance, key_t('load_balance', 'equation of the mutual approach', &
          choices='force_balance equation_of_motion', counts=case%marches() .or. (case%responds() .and. case%moves()), &
          when=time_steps//', and responses to waves that move'))
       call list%see(case%natural_frequency, key_t('natural_frequency', 'dimensionless natural frequency Omega', &
          above=0.0_dp, applies=case%load_balance == 'equation_of_motion', when="load_balance = 'equation_of_motion'"))
-      call list%see(case%load_factor, key_t('load_factor', 'load from T = 0 on over that of the steady state; a '// &
-         'load step', above=0.0_dp, counts=case%marches() .or. (case%is_rough() .and. case%response /= 'transient'), &
+      call list%see(case%load_factor, key_t('load_factor', 'load from T = 0 on over the steady load; a load '// &
+         'step', above=0.0_dp, counts=case%marches() .or. (case%is_rough() .and. case%response /= 'transient'), &
          when=time_steps))
       call list%see(case%end_time, key_t('end_time', 'T to which is marched; none: until the amplitude is measured', &
          above=0.0_dp))

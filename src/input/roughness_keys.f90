@@ -78,7 +78,7 @@ contains
          call list%see(heights%surface_file, named(key, 'file', 'surface written by `ehlwave surface`; it '// &
             'enters at x_min, moves with S and is followed until its trailing end is at the contact centre, or '// &
             'end_time; needs dimensional conditions. The whole domain is computed unless it is even in Y. With '// &
-            '--output, surface_position_m says which x of the surface was at the centre for each film_at_centre', &
+            '--output, surface_position_m is the x of the surface at the centre for each film_at_centre', &
             number))
       else
          call list%enter('surface'//number, 'A measured surface 2 in place of &waviness2.')

@@ -5,13 +5,11 @@ module ehlwave_bare_result
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_field_history, only: field_history_t
    use ehlwave_harmonic_result, only: harmonic_result_t
-   use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_pair_result, only: pair_result_t
    use ehlwave_rolling_result, only: rolling_result_t
    use ehlwave_shear_result, only: shear_result_t
    use ehlwave_status, only: status_pending
-   use ehlwave_touching_result, only: touching_result_t
    implicit none (type, external)
    private
 
@@ -77,8 +75,6 @@ module ehlwave_bare_result
       type(gradient_t), allocatable :: by_key(:)     !! by each variable, if asked for
       type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates
       type(rolling_result_t) :: rolling              !! its resistance to rolling
-      type(heat_result_t) :: heat                    !! temperatures of the smooth contact, if they are found
-      type(touching_result_t) :: touching            !! load that solids bear, where surfaces may touch
       character(len=:), allocatable :: warning       !! what the model leaves out and matters here, else empty
       ! the largest over all solutions of the case
       real(dp) :: residual = 0                       !! mass residual, see solve_report_t
@@ -102,7 +98,6 @@ module ehlwave_bare_result
       ! fields of the last solution, if asked for
       real(dp), allocatable :: x(:), y(:), p(:, :), h(:, :)
       real(dp), allocatable :: shear_stress_pa(:, :) !! mean of the shear stresses at the two surfaces along X, if known
-      real(dp), allocatable :: rise_k(:, :, :)       !! if it is warm: of `warm_fields`
       type(field_history_t) :: history               !! fields over time, if asked for
    contains
       procedure :: response_error

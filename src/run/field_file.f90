@@ -48,12 +48,6 @@ contains
             if (allocated(result%pair%surface_position)) call file%write('surface_position_2_m', &
                result%pair%surface_position, 'm', 'x on surface 2, as in its file, that is at the contact centre', &
                'time')
-            if (allocated(result%touching%share_history)) then
-               call file%write('touching_share_over_time', result%touching%share_history, '1', &
-                  'share of the load that the solids bear', 'time')
-               call file%write('touching_area_over_time', result%touching%area_history, '1', &
-                  'area where the solids bear over the Hertz area', 'time')
-            end if
             if (allocated(result%approach_history)) &
                call file%write('approach', result%approach_history, '1', 'mutual approach Delta', 'time')
          end if
@@ -67,14 +61,6 @@ contains
          call file%write('film', result%h, '1', 'H = h/c of the last solution', 'x', 'y')
          if (allocated(result%shear_stress_pa)) call file%write('mean_shear_stress_pa', result%shear_stress_pa, 'Pa', &
             'mean of the shear stresses at the two surfaces along x, last solution', 'x', 'y')
-         if (allocated(result%touching%c)) then
-            call file%write('contact_pressure', result%touching%c, '1', &
-               'C = c/ph, pressure of the solids, last solution', &
-               'x', 'y')
-            call file%write('content', result%touching%theta, '1', &
-               'theta, share of the gap that oil fills, last solution', 'x', 'y')
-         end if
-         if (allocated(result%rise_k)) call write_temperatures(file, result%rise_k)
       end if
       call result%effects%write_fields(file)
       if (allocated(result%history%p)) call write_history(file, result%history)
@@ -119,20 +105,6 @@ contains
          history%shear_stress_pa, 'Pa', &
          'mean of the shear stresses at the two surfaces along x, over time', 'x', 'y', 'field_time')
    end subroutine write_history
-
-   !> Rises over T0 half-way across the film, in the mean, and of both surfaces.
-   subroutine write_temperatures(file, rise_k)
-      type(hdf5_file_t), intent(inout) :: file
-      real(dp), intent(in) :: rise_k(:, :, :)    !! (x, y, mid film, mean, surface 1, surface 2)
-      character(len=*), parameter :: &
-         names(4) = [character(len=16) :: 'rise_mid_film_k', 'rise_mean_k', 'rise_wall_1_k', 'rise_wall_2_k'], &
-         of(4) = [character(len=26) :: 'half-way across the film', 'mean across the film', 'of surface 1', &
-                  'of surface 2']
-      integer :: i
-      do i = 1, size(names)
-         call file%write(trim(names(i)), rise_k(:, :, i), 'K', 'rise of the temperature '//trim(of(i)), 'x', 'y')
-      end do
-   end subroutine write_temperatures
 
    !> A complex number for each row as two data sets.
    subroutine write_complex(file, name, values, long_name)

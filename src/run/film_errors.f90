@@ -95,8 +95,7 @@ contains
          call estimate_friction(plan, multigrid%levels(n:1:-1), stress, tolerance, result)
       if (plan%is_fitted) result%central_film_error = &
          max(centre_share*(plan%hx**2 + plan%hy**2), result%central_film_error)
-      if (ieee_is_finite(result%heat%isothermal_film)) call add_steepness(plan, result)
-      call result%effects%widen_errors(multigrid%levels(n)%problem%grid, result%central_film_error)
+      call add_steepness(plan, result)
       call add_domain(plan, multigrid%levels(n), result)
    end subroutine estimate_film_errors
 
@@ -113,7 +112,7 @@ contains
       short = merge(result%effects%edge_error(), 0.0_dp, level%problem%grid%is_flooded)
       result%minimum_film_domain_error = smallest_domain_share*left + short
       result%minimum_film_error = result%minimum_film_error + result%minimum_film_domain_error
-      call result%rolling%add_errors(result%central_film_error, left + short, result%heat%film_error(), &
+      call result%rolling%add_errors(result%central_film_error, left + short, result%effects%film_error(), &
                                      result%effects%lacks_oil_outside(level%problem%grid))
       if (.not. ieee_is_finite(result%friction_error)) return
       outside = friction_outside(level%problem, level%state, &
@@ -171,7 +170,7 @@ contains
       logical :: is_rolling
 
       is_rolling = .not. abs(plan%conditions%slip_parameter - 1) > 0
-      if (is_rolling .and. .not. ieee_is_finite(result%heat%isothermal_film) .and. &
+      if (is_rolling .and. plan%levels == 0 .and. &
           abs(result%shear%friction_coefficient) < no_friction) return
       spread = grids_margin
       largest = most_friction_error
@@ -224,7 +223,7 @@ contains
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(inout) :: result
       real(dp) :: steeper
-      steeper = max(0.0_dp, result%heat%isothermal_film/result%central_film - 1)* &
+      steeper = result%effects%steepening(result%central_film)* &
                 plan%model_margin(result%max_pressure)*plan%expected_film_mesh_error()
       result%central_film_error = max(result%central_film_error, steeper)
       result%minimum_film_error = max(result%minimum_film_error, minimum_margin*steeper)

@@ -12,6 +12,7 @@ module ehlwave_harmonic_case
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, mean_change_t
+   use ehlwave_pair_responses, only: take_pair_responses
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_sensitivity_case, only: find_response_sensitivities
    use ehlwave_shared_steady, only: shared_steady_t
@@ -56,7 +57,7 @@ contains
       end do
       if (size(responses) == 1) return
       work_before = steady%multigrid%work()
-      call result%pair%take_responses(plan%surfaces, result%central_film, steady, responses, means)
+      call take_pair_responses(result%pair, plan%surfaces, result%central_film, steady, responses, means)
       result%work = result%work + steady%multigrid%work() - work_before
       if (.not. allocated(result%pair%surfaces_touch)) return
       if (result%pair%surfaces_touch) call add_warning(result, 'the waves of both surfaces together would touch, '// &
@@ -76,7 +77,7 @@ contains
       type(mean_change_t), intent(out) :: mean
       type(harmonic_response_t) :: coarse
       type(waviness_t) :: waves
-      real(dp) :: by_heat, finish, room, start, work_before
+      real(dp) :: by_effects, finish, room, start, work_before
       integer :: n
 
       n = size(steady%multigrid%levels)
@@ -114,10 +115,10 @@ contains
          harmonic%p = response%p
          harmonic%h = response%h
       end if
-      by_heat = result%heat%film_error()
+      by_effects = result%effects%film_error()
       ! unless a coarser grid tells more
       harmonic%error = max(error_by_model(plan, result, harmonic), &
-                           plan%light_ratio_error(result%central_film, .false.)) + by_heat
+                           plan%light_ratio_error(result%central_film, .false.)) + by_effects
       harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), waves, case%natural_frequency, &
@@ -134,7 +135,7 @@ contains
       if (waves%moves() .and. abs(plan%conditions%slip_parameter - 1) > 0) &
          harmonic%error = harmonic%error*spike_factor(result%max_pressure)
       harmonic%error = max(grids_margin*max(harmonic%error, plan%least_ratio_error(result%central_film_error)), &
-                           plan%light_ratio_error(result%central_film, .true.)) + by_heat
+                           plan%light_ratio_error(result%central_film, .true.)) + by_effects
       harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
 
@@ -189,8 +190,8 @@ contains
       associate (amplitude => waves%amplitude(result%central_film))
          call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, waves, amplitude, change)
          if (change%status /= status_converged) then
-            call add_warning(result, 'what the waves do to the mean film is not found (its linear system '// &
-               status_name(change%status)//'): whether they touch is not known')
+            call add_warning(result, 'the change of the mean film by waves is not found (its linear system '// &
+               status_name(change%status)//'): contact between waves is not excluded')
             return
          end if
          call harmonic%take_mean(change, amplitude)

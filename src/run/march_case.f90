@@ -94,7 +94,7 @@ contains
       logical :: keeps
 
       finest = size(multigrid%levels)
-      if (case%heat%follows_waves()) then
+      if (case%effects%heat%data%follows_waves()) then
          call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue, energy)
       else
          call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue)
@@ -187,7 +187,7 @@ contains
          end if
          result%mean_film = fitted_mean(time(2:), film(2:), surfaces%periods())
          if (.not. (surfaces%are_apart() .or. surfaces%are_one())) call add_warning(result, 'the waves of both '// &
-            'surfaces pass the centre with one frequency, where the film does not tell them apart: no Ad/Ai')
+            'surfaces pass the centre with one frequency, so that the film cannot separate them: no Ad/Ai')
       end associate
    end subroutine take_last_period
 

@@ -101,8 +101,8 @@ contains
       if (ieee_is_finite(result%error_estimate) .and. result%error_estimate <= case%accuracy) then
          if (is_measured(case, result)) return
          result%status = status_inaccurate
-         result%message = 'no coarser grid tells the error: the '//to_text(result%error_estimate, 2)// &
-                          ' that the plan expects is no promise of the accuracy asked for; take other cells'
+         result%message = 'no coarser grid shows the error: the '//to_text(result%error_estimate, 2)// &
+                          ' expected by the plan does not prove the requested accuracy; take other cells'
          return
       end if
       result%status = status_inaccurate

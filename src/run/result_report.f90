@@ -3,6 +3,7 @@ module ehlwave_result_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_effect_result, only: after_film, after_friction
    use ehlwave_error_account, only: error_asked_for, errors_text, validity_text
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
@@ -29,7 +30,7 @@ contains
       if (result%rung /= 'direct') write (unit, '(a)') 'Rescue       '//trim(result%rung)//', '// &
          to_text(result%rescued_solutions)//' solutions rescued'
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
-      call result%effects%print(unit)
+      call result%effects%print(after_film, unit, plan)
       call print_shear()
       if (plan%surfaces%is_measured() .and. is_solved(result%status)) then
          if (plan%first_sample < result%time_steps) write (unit, &
@@ -104,7 +105,7 @@ contains
          text = ''
          if (ieee_is_finite(result%friction_error)) then
             text = ', friction '//to_text(result%friction_error, 2)
-         else if (case%heat%is_given() .and. ieee_is_finite(result%shear%friction_coefficient)) then
+         else if (case%effects%are_warm() .and. ieee_is_finite(result%shear%friction_coefficient)) then
             text = ', friction not known'
          end if
       end function friction_error
@@ -143,9 +144,8 @@ contains
             if (ieee_is_finite(r%friction_coefficient)) write (unit, '(a)') 'Friction     coefficient '// &
                to_text(r%friction_coefficient, 5)//largest_b()
             if (ieee_is_finite(result%rolling%coefficient)) call print_rolling()
-            if (ieee_is_finite(result%heat%isothermal_film)) then
-               call print_heat()
-            else if (ieee_is_finite(r%inlet%rise_k) .and. .not. case%heat%is_given()) then
+            call result%effects%print(after_friction, unit, plan)
+            if (ieee_is_finite(r%inlet%rise_k) .and. .not. case%effects%are_warm()) then
                write (unit, '(a)') '             estimated temperature rise: inlet '//to_text(r%inlet%rise_k, 2)// &
                   ' K, contact '//to_text(r%contact_rise_k, 2)//' K (the model is isothermal)'
             end if
@@ -166,20 +166,6 @@ contains
                trim(merge(' W/m', ' W  ', c%is_line()))
          end associate
       end subroutine print_rolling
-
-      subroutine print_heat()
-         associate (h => result%heat)
-            write (unit, '(a)') 'Heat         without it H(0,0) = '//to_text(h%isothermal_film, 6)// &
-               ', friction coefficient '//to_text(h%isothermal_friction, 5)
-            write (unit, '(a)') '             largest rise mid-film '//to_text(h%largest_mid_k, 3)//' K, surfaces '// &
-               to_text(h%largest_wall_k(1), 3)//' and '//to_text(h%largest_wall_k(2), 3)//' K; at the centre '// &
-               to_text(h%centre_mid_k, 3)//', '//to_text(h%centre_wall_k(1), 3)//' and '// &
-               to_text(h%centre_wall_k(2), 3)//' K'
-            write (unit, '(a)') '             heat into bodies 1 and 2 '//to_text(h%into_body_w(1), 4)//' and '// &
-               to_text(h%into_body_w(2), 4)//trim(merge(' W/m', ' W  ', plan%conditions%is_line()))// &
-               ', heat balance '//to_text(h%balance_error, 2)
-         end associate
-      end subroutine print_heat
 
       function largest_b() result(text)
          character(len=:), allocatable :: text

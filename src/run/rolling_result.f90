@@ -78,16 +78,16 @@ contains
    end function rolling_coefficient
 
    !> Complete the error, which so far is that of the mesh; where no second grid shows that, it is the film error.
-   pure subroutine add_errors(self, film_error, edge_error, heat_error, lacks_oil)
+   pure subroutine add_errors(self, film_error, edge_error, solver_error, lacks_oil)
       class(rolling_result_t), intent(inout) :: self
       real(dp), intent(in) :: film_error   !! of H(0,0), relative, by the mesh
       real(dp), intent(in) :: edge_error   !! by the edges of the domain
-      real(dp), intent(in) :: heat_error   !! by temperatures that have not settled and by the levels across the film
+      real(dp), intent(in) :: solver_error   !! by the solution of effects, as of temperatures
       logical, intent(in) :: lacks_oil     !! whether a longer domain would be full from farther upstream
       if (.not. ieee_is_finite(self%error)) self%error = film_error
       self%domain_error = edge_error + far_share*self%share_outside
       if (lacks_oil) self%domain_error = self%domain_error + self%share_missing
-      self%error = max(self%error, film_share*film_error) + self%domain_error + heat_error
+      self%error = max(self%error, film_share*film_error) + self%domain_error + solver_error
    end subroutine add_errors
 
    !> Force at each surface, N, of a line contact N/m.

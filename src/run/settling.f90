@@ -99,7 +99,7 @@ contains
       else
          text = 'the film still changes, and not by the waves alone'
          if (error < 1) text = text//', which may leave '//to_text(100*error, 2)//' % in Ad/Ai'
-         if (error >= 1) text = text//': Ad/Ai is not that of the waves'
+         if (error >= 1) text = text//': Ad/Ai does not describe the waves'
          text = text//'; take '//trim(merge('a later end_time     ', 'more settling_periods', case%end_time > 0))
       end if
    end function unrest_text

@@ -8,19 +8,15 @@ module ehlwave_shared_steady
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_harmonic_solver, only: harmonic_solver_t
-   use ehlwave_heat_data, only: new_heat_scales
-   use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_rescue, only: rescue_t, rung_direct
    use ehlwave_rolling_result, only: rolling_result_t
-   use ehlwave_shear_stress, only: friction_at
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_status, only: status_converged
    use ehlwave_steady_gradient, only: steady_gradient_t
    use ehlwave_text, only: to_text
-   use ehlwave_warm_steady, only: solve_warm
    implicit none (type, external)
    private
    public :: grid_of, limits_of, steady_key
@@ -30,7 +26,6 @@ module ehlwave_shared_steady
    type, public :: shared_steady_t
       type(full_multigrid_t) :: multigrid
       type(energy_t) :: energy                       !! of the steady state, where it is with heat
-      type(heat_result_t) :: heat                    !! and the account of it
       type(rolling_result_t) :: rolling              !! its resistance to rolling
       type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
       class(harmonic_solver_t), allocatable :: response          !! about the finest level
@@ -71,7 +66,7 @@ contains
       bare = case
       bare%orientation = 'none'
       bare%second = defaults%second
-      if (plan%rheology%is_newtonian() .and. .not. case%heat%is_given()) &
+      if (plan%rheology%is_newtonian() .and. .not. case%effects%are_warm()) &
          bare%slip_parameter = defaults%slip_parameter   ! else slip thins or warms the oil
       bare%load_balance = defaults%load_balance
       bare%natural_frequency = defaults%natural_frequency
@@ -116,8 +111,8 @@ contains
       self%mark = 0
       self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps, work_left=plan%largest_work)
       call self%rescue%solve_steady(self%multigrid, limits_of(case), coarse_tolerance)
-      call self%effects%solve(plan, self%multigrid, self%rescue, limits_of(case), coarse_tolerance)
-      if (case%heat%is_given()) call warm(self, case, plan)
+      self%effects = effects_result_t()
+      call self%effects%solve(case, plan, self%multigrid, self%rescue, limits_of(case), coarse_tolerance, self%energy)
       ! before `linearise` solves the coarser level again, so that kept states have the same error
       self%rolling = rolling_result_t()
       associate (levels => self%multigrid%levels)
@@ -126,27 +121,6 @@ contains
       end associate
       self%work = self%multigrid%work()
    end subroutine prepare
-
-   !> Let the oil be warm, from the isothermal state.
-   subroutine warm(self, case, plan)
-      class(shared_steady_t), intent(inout) :: self
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-
-      self%heat = heat_result_t()
-      associate (level => self%multigrid%levels(size(self%multigrid%levels)))
-         if (level%report%status /= status_converged) return
-         self%heat%isothermal_film = level%problem%grid%value_at_centre(level%state%h)
-         self%heat%isothermal_friction = friction_at(level%problem, level%state)
-         call solve_warm(self%multigrid, self%rescue, new_heat_scales(case%heat, case%oil%temperature_k, &
-            plan%conditions), case%heat%levels, limits_of(case), coarse_tolerance, self%energy)
-         if (level%report%status == status_converged) then
-            call self%heat%take(level%problem, level%state, self%energy)
-         else
-            call self%heat%explain(self%energy)
-         end if
-      end associate
-   end subroutine warm
 
    !> Operations of the case at hand, as if it had found all itself that was kept for it.
    pure real(dp) function work_so_far(self)
@@ -190,7 +164,7 @@ contains
       end if
       n = size(self%multigrid%levels)
       self%has_coarse = n > 1
-      if (n > 1 .and. case%heat%is_given()) self%has_coarse = self%multigrid%levels(n - 1)%has_film()   ! a warm one
+      if (n > 1 .and. case%effects%are_warm()) self%has_coarse = self%multigrid%levels(n - 1)%has_film()   ! a warm one
       if (self%has_coarse) then
          call self%multigrid%solve_level(n - 1, limits_of(case), report)
          self%has_coarse = report%status == status_converged
@@ -235,8 +209,8 @@ contains
       end if
       work_before = self%multigrid%work()
       call self%response%find_tangent(self%multigrid%levels)
-      call self%gradient%find(self%response%tangent, self%multigrid%levels, self%effects%starvation%flooded, variables, &
-                              min(tangent_tolerance, case%tolerance))
+      call self%gradient%find(self%response%tangent, self%multigrid%levels, self%effects%starvation%flooded, &
+                              variables, min(tangent_tolerance, case%tolerance))
       self%is_differentiated = .true.
       self%derivative_work = self%multigrid%work() - work_before
    end subroutine differentiate

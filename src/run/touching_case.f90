@@ -18,7 +18,7 @@ module ehlwave_touching_case
    use ehlwave_text, only: to_text
    use ehlwave_touching_continuation, only: reach_share, reach_speed, start_steady
    use ehlwave_touching_newton, only: set_speed, touching_solver_t
-   use ehlwave_touching_result, only: state_of, touching_values_t
+   use ehlwave_touching_account_result, only: state_of, touching_values_t
    use ehlwave_touching_state, only: new_touching_law, prolonged, touching_state_t
    use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
    implicit none (type, external)
@@ -79,8 +79,8 @@ contains
       if (result%status == status_converged) then
          n = findloc(ieee_is_finite(values%share), .false., 1) - 1
          if (n < 0) n = most_levels
-         result%touching%touching_values_t = values(1)
-         call result%touching%estimate(values(2:n), plan%hx)
+         result%effects%touching%account%touching_values_t = values(1)
+         call result%effects%touching%account%estimate(values(2:n), plan%hx)
          call take_solution(case, plan, solver, state, result)
       end if
       result%seconds = wall_seconds() - start
@@ -107,7 +107,7 @@ contains
       deallocate_past: if (allocated(solver%past%f)) then
          deallocate (solver%past%f, solver%past%passed)
       end if deallocate_past
-      solver%law = new_touching_law(case%touching, plan%conditions)
+      solver%law = new_touching_law(case%effects%touching%data, plan%conditions)
       if (has_coarser) first = prolonged(state, grid_of(case, plan))
       call lay_out(case, plan, solver)
       associate (grid => solver%problem%grid)
@@ -117,8 +117,8 @@ contains
       call solver%given%set_rough(rough)
       report%status = status_unresolved
       if (has_coarser) then
-         if (case%touching%seeks_speed()) then
-            call solver%solve(first, report, case%touching%share)
+         if (case%effects%touching%data%seeks_speed()) then
+            call solver%solve(first, report, case%effects%touching%data%share)
          else
             call solver%solve(first, report)
          end if
@@ -126,8 +126,8 @@ contains
       end if
       if (report%status /= status_converged) then
          call start_steady(solver, state, report)
-         if (report%status == status_converged .and. case%touching%seeks_speed()) then
-            call reach_share(solver, state, case%touching%share, monitor, report)
+         if (report%status == status_converged .and. case%effects%touching%data%seeks_speed()) then
+            call reach_share(solver, state, case%effects%touching%data%share, monitor, report)
          else if (report%status == status_converged) then
             call reach_speed(solver, state, plan%conditions%data%mean_speed_m_per_s, monitor, report)
          end if
@@ -188,8 +188,8 @@ contains
       result%time = [(k*plan%dt, k=1, plan%steps)]
       result%film_history = 0*result%time
       result%approach_history = 0*result%time
-      result%touching%share_history = 0*result%time
-      result%touching%area_history = 0*result%time
+      result%effects%touching%account%share_history = 0*result%time
+      result%effects%touching%account%area_history = 0*result%time
       do k = 1, plan%steps
          associate (grid => solver%problem%grid)
             call solver%given%set_rough(plan%surfaces%rough_at(grid%x, grid%y, k*plan%dt, film))
@@ -206,8 +206,8 @@ contains
          call now%take(solver, state)
          result%film_history(k) = solver%problem%grid%value_at_centre(state%h)
          result%approach_history(k) = state%delta
-         result%touching%share_history(k) = now%share
-         result%touching%area_history(k) = now%area
+         result%effects%touching%account%share_history(k) = now%share
+         result%effects%touching%account%area_history(k) = now%area
          if (k >= first) call values%add(now, measured)
          call monitor%step_done('time step with touching', k, plan%steps)
          if (monitor%request /= go_on) return
@@ -232,7 +232,7 @@ contains
       type(touching_state_t), intent(in) :: state
       type(case_result_t), intent(inout) :: result
 
-      associate (problem => solver%problem, touching => result%touching)
+      associate (problem => solver%problem, touching => result%effects%touching%account)
          result%central_film = problem%grid%value_at_centre(state%h)
          result%minimum_film = minval(state%h)
          result%central_film_moes = result%central_film*problem%conditions%moes_film_factor
@@ -240,7 +240,7 @@ contains
          touching%mass_error = result%residual
          touching%solid_friction = 0
          if (abs(plan%conditions%slip_parameter - 1) > 0) touching%solid_friction = &
-            sign(case%touching%solid_friction*touching%share, plan%conditions%slip_parameter - 1)
+            sign(case%effects%touching%data%solid_friction*touching%share, plan%conditions%slip_parameter - 1)
          result%shear%friction_coefficient = touching%friction_oil + touching%solid_friction
          call add_warning(result, touching%warning())
          call add_warning(result, extrapolation_text(case, plan%rheology, result%max_pressure))
@@ -255,11 +255,11 @@ contains
                result%shear_stress_pa)
          end if
       end associate
-      result%is_resolved = plan%resolution%is_resolved .and. .not. result%touching%is_artefact
+      result%is_resolved = plan%resolution%is_resolved .and. .not. result%effects%touching%account%is_artefact
       if (result%is_resolved) return
       result%status = status_unresolved
       result%message = plan%resolution%reason
-      if (result%touching%is_artefact) result%message = result%touching%warning()
+      if (result%effects%touching%account%is_artefact) result%message = result%effects%touching%account%warning()
    end subroutine take_solution
 
 end module ehlwave_touching_case

@@ -33,7 +33,7 @@ contains
          'transfer function pattern (in c) to P(0,0) at mesh size 0', harmonic%pressure_limit)
       call put('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error, &
                error_of='linear response'//of)
-      call put('harmonic_error_basis', 'what harmonic_error is from', trim(harmonic%error_basis))
+      call put('harmonic_error_basis', 'basis of harmonic_error', trim(harmonic%error_basis))
       call put('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', &
          harmonic%mean_rise)
       call put('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
@@ -74,7 +74,7 @@ contains
             call put_complex('complementary', 'wave of the film that moves with the oil, over Ai', &
                row%fit%complementary)
             call put_complex('psi', 'wave number of the complementary wave', row%fit%psi, unit='1/a')
-            call put('two_wave_misfit', 'what both waves leave of the film, rms over Ai, |X| <= 0.5', row%fit%misfit)
+            call put('two_wave_misfit', 'residual of both waves in the film, rms over Ai, |X| <= 0.5', row%fit%misfit)
             call put_complex('attenuated_formula', 'attenuated wave over Ai in closed form', row%attenuated)
             call put_complex('psi_formula', 'psi in closed form', row%psi, unit='1/a')
          end associate

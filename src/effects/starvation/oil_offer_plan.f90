@@ -41,10 +41,10 @@ contains
                     'place of it')
       else if (.not. any(case%method == ['newton', 'auto  '])) then
          call raise(error, given//"starved contacts are solved by method = 'newton' alone, not by '"// &
-            trim(case%method)//"', whose sweeps know no partly filled nodes")
+            trim(case%method)//"', whose sweeps lack partly filled nodes")
       else if (has_pattern .and. abs(case%slip_parameter - 1) > 0) then
          call raise(error, given//'waves and surfaces need pure rolling, slip_parameter = 1: where the gap is not '// &
-                    'full, under slip each layer moves with its own surface, which the model does not know')
+                    'full, under slip each layer moves with its own surface, which the model lacks')
       else if (has_pattern .and. case%response == 'periodic') then
          call raise(error, given//"response = 'periodic' starts in waves known to second order, which have no "// &
                     "contents of gaps that are not full: take 'transient', 'both' or 'harmonic'")

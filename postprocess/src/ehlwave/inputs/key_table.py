@@ -82,9 +82,9 @@ KEYS: dict[str, Key] = {
     "levels": Key("heat", "whole", minimum=4, maximum=128),
     "wave_temperatures": Key("heat", "word", choices=("frozen", "carried")),
     "film_m": Key("touching", "number", unit="m", minimum=1e-10, maximum=1e-05),
+    "share": Key("touching", "number", above=0, maximum=0.999),
     "law": Key("touching", "word", choices=("hard", "soft")),
     "solid_friction": Key("touching", "number", minimum=0, maximum=10),
-    "share": Key("touching", "number", above=0, maximum=0.999),
     "softness_m": Key("touching", "number", unit="m", above=0, maximum=1e-05),
     "stress_pa": Key("touching", "number", unit="Pa", above=0),
     "orientation": Key(

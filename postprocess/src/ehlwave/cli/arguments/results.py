@@ -56,7 +56,7 @@ def add_results_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does
     refit.add_argument(
         "--seed", type=_count, default=SEED, help="of the bootstrap's random numbers"
     )
-    command("table", "count cases by status and list the failed ones")
+    command("table", "count cases by status and list failed cases")
     export = command(
         "export",
         "write results as CSV, Parquet, NetCDF or VTK",

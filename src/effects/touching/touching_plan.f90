@@ -1,42 +1,51 @@
-!> A case whose surfaces may touch: what it needs, and what it cannot be asked for.
-module ehlwave_case_touching
+!> Surfaces that may touch, in the plan of a case: required data, and inputs that contradict them.
+module ehlwave_touching_plan
    use ehlwave_case_definition, only: case_t, roughness_t
-   use ehlwave_conditions, only: conditions_t
+   use ehlwave_effect_plan, only: effect_plan_t
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_formula, only: expected_film
    use ehlwave_kinds, only: dp
    use ehlwave_touching_data, only: soft
    implicit none (type, external)
    private
-   public :: check_touching, complete_amplitude
+
+   type, extends(effect_plan_t), public :: touching_plan_t
+   contains
+      procedure, nopass :: complete
+      procedure, nopass :: check_data
+      procedure, nopass :: check
+   end type touching_plan_t
 
 contains
 
-   !> Give waves of a known amplitude the amplitude over the film of the formula, for estimates of the plan.
-   subroutine complete_amplitude(roughness, number, conditions, error)
-      type(roughness_t), intent(inout) :: roughness
-      character(len=*), intent(in) :: number         !! of the surface in the names of groups: '' or '2'
-      type(conditions_t), intent(in) :: conditions
-      type(error_t), allocatable, intent(inout) :: error
-
-      if (allocated(error) .or. .not. roughness%amplitude_m > 0) return
-      if (conditions%has_dimensions) then
-         roughness%amplitude_over_film = roughness%amplitude_m/(conditions%c_m*expected_film(conditions))
-      else
-         call raise(error, '&waviness'//number//' amplitude_m holds metres: give &conditions by dimensional data '// &
-            '(radius_x_m, ...), or amplitude_over_film in its place')
-      end if
-   end subroutine complete_amplitude
-
-   !> Refuse a case with touching that lacks data, or asks for what is not built with it.
-   subroutine check_touching(case, error)
+   !> Take the fitted scheme, which has a third of the error of the averaged one in the speed of a share.
+   subroutine complete(case)
       type(case_t), intent(inout) :: case
+      if (case%effects%touching%is_given() .and. case%scheme == 'auto') case%scheme = 'fitted'
+   end subroutine complete
+
+   !> Refuse data that are not complete.
+   subroutine check_data(case, error)
+      type(case_t), intent(in) :: case
       type(error_t), allocatable, intent(inout) :: error
 
-      if (allocated(error) .or. .not. case%touching%is_given()) return
-      if (case%touching%law == soft .and. .not. min(case%touching%softness_m, case%touching%stress_pa) > 0) then
-         call raise(error, "&touching law = 'soft' needs softness_m and stress_pa: write both, or law = 'hard'")
-      else if (.not. case%is_dimensional) then
+      if (allocated(error)) return
+      associate (touching => case%effects%touching%data)
+         if (touching%share > 0 .and. .not. touching%is_given()) then
+            call raise(error, '&touching film_m is missing: write the boundary film at which solids begin to bear')
+         else if (touching%is_given() .and. touching%law == soft .and. &
+                  .not. min(touching%softness_m, touching%stress_pa) > 0) then
+            call raise(error, "&touching law = 'soft' needs softness_m and stress_pa: write both, or law = 'hard'")
+         end if
+      end associate
+   end subroutine check_data
+
+   !> Refuse inputs for which touching is not built.
+   subroutine check(case, error)
+      type(case_t), intent(in) :: case
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error) .or. .not. case%effects%touching%is_given()) return
+      if (.not. case%is_dimensional) then
          call raise(error, '&touching film_m holds metres: give &conditions by dimensional data (radius_x_m, '// &
             '...) in '// &
             'place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
@@ -47,7 +56,7 @@ contains
       else if (case%radius_ratio_d > 0) then
          call refuse('the contact has two dimensions', 'is built for line contacts: give load_n_per_m in place of '// &
             'load_n and radius_y_m')
-      else if (case%heat%is_given()) then
+      else if (case%effects%heat%is_given()) then
          call refuse('&heat is given', 'is isothermal, as the heat of sliding solids is not built: remove &heat')
       else if (case%effects%starvation%is_given() .or. case%effects%starvation%oil_profile /= '') then
          call refuse('&inlet gives less oil than fills the gap', 'takes flooded inlets: remove oil_over_flooded, '// &
@@ -65,15 +74,11 @@ contains
          call refuse('&output sensitivities', 'has none: remove the key')
       else if (case%time_step_over_cell > 1 .or. .not. case%time_step_over_cell > 0) then
          call refuse('&solver time_step_over_cell', 'follows the oil from node to node: use 1, 0.5, 0.25, ...')
-      else if (case%touching%seeks_speed() .and. case%marches()) then
+      else if (case%effects%touching%data%seeks_speed() .and. case%marches()) then
          call refuse('&touching share', 'finds a speed in steady states only: remove share, or let the rough '// &
             'surface '// &
             'rest (slip_parameter = 0)')
       end if
-      if (allocated(error)) return
-      case%method = 'newton'
-      ! a third of the error of the averaged one in the speed of a share
-      if (case%scheme == 'auto') case%scheme = 'fitted'
 
    contains
 
@@ -82,7 +87,7 @@ contains
          call raise(error, given//', and &touching '//instead)
       end subroutine refuse
 
-   end subroutine check_touching
+   end subroutine check
 
    !> The amplitude of waves that are given by it, else 0; of no waves infinite.
    pure real(dp) function amplitude(roughness)
@@ -91,4 +96,4 @@ contains
       if (roughness%is_wavy()) amplitude = roughness%amplitude_m
    end function amplitude
 
-end module ehlwave_case_touching
+end module ehlwave_touching_plan

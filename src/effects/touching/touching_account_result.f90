@@ -1,5 +1,5 @@
-!> Result of a contact whose surfaces may touch, over a solution or the steps of a march.
-module ehlwave_touching_result
+!> Account of a contact whose surfaces may touch, over a solution or the steps of a march.
+module ehlwave_touching_account_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_t
    use ehlwave_grid, only: strip_width
@@ -28,7 +28,7 @@ module ehlwave_touching_result
       procedure :: add
    end type touching_values_t
 
-   type, extends(touching_values_t), public :: touching_result_t
+   type, extends(touching_values_t), public :: touching_account_t
       real(dp) :: share_error = no_value, area_error = no_value   !! by the mesh, absolute
       real(dp) :: speed_error = no_value                          !! relative
       logical :: is_artefact = .false.             !! whether the share falls with the mesh size
@@ -40,7 +40,7 @@ module ehlwave_touching_result
    contains
       procedure :: estimate
       procedure :: warning
-   end type touching_result_t
+   end type touching_account_t
 
    ! share on half the mesh over the share before: below it falls with it
    real(dp), parameter :: falling = 0.6_dp
@@ -113,7 +113,7 @@ contains
    !> is more;
    !> of the area a cell at either edge besides. The share is an artefact where it falls each time the mesh is halved.
    subroutine estimate(self, levels, hx)
-      class(touching_result_t), intent(inout) :: self
+      class(touching_account_t), intent(inout) :: self
       class(touching_values_t), intent(in) :: levels(:)   !! the same on wider meshes, the finest first
       real(dp), intent(in) :: hx                          !! mesh size of the result
 
@@ -134,7 +134,7 @@ contains
 
    !> Warning of a share that the mesh makes; '' where it does not.
    function warning(self) result(text)
-      class(touching_result_t), intent(in) :: self
+      class(touching_account_t), intent(in) :: self
       character(len=:), allocatable :: text
       text = ''
       if (self%is_artefact) text = 'the share of the load on the solids, '//to_text(self%share, 2)// &
@@ -143,4 +143,4 @@ contains
          'as wide: use a number of cells that can be halved'
    end function warning
 
-end module ehlwave_touching_result
+end module ehlwave_touching_account_result
