@@ -1,4 +1,4 @@
-!> Completes the input of one case: fills in keys that follow from others, and refuses contradictions.
+!> Completes the input of a case: fills in keys that follow from others, and refuses contradictions.
 module ehlwave_case_completion
    use ehlwave_case_definition, only: case_t, largest_line_cells, usual_largest_cells
    use ehlwave_case_lubricant, only: check_lubricant, pressure_viscosity

@@ -1,4 +1,4 @@
-!> Makes the plan of one case, before it runs.
+!> Makes the plan of a case, before it runs.
 module ehlwave_case_plan
    use ehlwave_accuracy_model, only: fitted_share
    use ehlwave_case_completion, only: case_conditions
@@ -13,7 +13,7 @@ module ehlwave_case_plan
    use ehlwave_plan_effort, only: cap_work, expect
    use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_march, run_standing
    use ehlwave_resolution, only: judge_resolution
-   use ehlwave_scheme_choice, only: is_fitted
+   use ehlwave_scheme_choice, only: is_fitted, least_work_step
    use ehlwave_surface_plan, only: plan_surfaces
    use ehlwave_text, only: to_text
    use ehlwave_thinning, only: new_thinning
@@ -25,13 +25,13 @@ module ehlwave_case_plan
 
 contains
 
-   !> Plan of a completed case. Fails when the case asks for something that cannot be run. A coarser or finer plan of a
-   !> case that has one takes its domain from that.
+   !> Plan of a completed case. Fails when the case cannot be run. A coarser or finer plan of a planned case keeps the
+   !> domain.
    subroutine make_plan(case, plan, error, domain_scale)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(out) :: plan
       type(error_t), allocatable, intent(inout) :: error
-      real(dp), intent(in), optional :: domain_scale   !! of the domain over that of the keys; absent: chosen
+      real(dp), intent(in), optional :: domain_scale   !! size of the domain over the keys' domain; absent: chosen
       type(case_t) :: copy
       real(dp) :: errors(2)
 
@@ -66,8 +66,10 @@ contains
       if (allocated(error)) return
       plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%surfaces%is_symmetric() &
                      .and. plan%effects%are_even()
+      if (case%marches() .and. case%cells_x == 0 .and. case%has_ratio()) &
+         plan%cells_per_step = least_work_step(copy, plan%conditions, plan%is_fitted)
       call choose_grid(copy, plan%conditions, plan%surfaces, plan%is_fitted, plan%steepness, plan%effects, &
-                       plan%cells_x, plan%cells_y, plan%grid_reason)
+                       plan%cells_per_step, plan%cells_x, plan%cells_y, plan%grid_reason)
       plan%hx = (plan%x_max - plan%x_min)/plan%cells_x
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
       plan%deformation = merge('mlmi', 'fft ', case%deformation == 'mlmi')   ! 'auto': the FFT, measured
@@ -120,8 +122,8 @@ contains
          "other wavelengths or slip, or response = 'transient' or 'harmonic'")
    end subroutine check_repetition
 
-   !> Refuse keys that contradict the accuracy asked for. A grid that only `largest_cells` limits is no contradiction:
-   !> the plan says what it can reach.
+   !> Refuse keys that contradict the requested accuracy. A limit by `largest_cells` alone is no contradiction: the
+   !> plan reports the accuracy it reaches.
    subroutine check_accuracy(case, plan, error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan

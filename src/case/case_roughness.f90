@@ -1,4 +1,4 @@
-!> The rough surfaces of a case: their wavelengths, and what they cannot be asked with.
+!> The rough surfaces of a case: their wavelengths, and refusals.
 module ehlwave_case_roughness
    use ehlwave_case_definition, only: case_t, roughness_t
    use ehlwave_conditions, only: conditions_t
@@ -45,7 +45,7 @@ contains
       end if
    end subroutine complete_amplitude
 
-   !> Refuse a surface of a pair that stands still in a march: what it has would never enter, or be there all at once.
+   !> Refuse a stationary surface of a pair in a march: its pattern would never enter, or be present at once.
    subroutine check_moving(roughness, number, speed, error)
       type(roughness_t), intent(in) :: roughness
       character(len=*), intent(in) :: number
@@ -66,7 +66,7 @@ contains
    !> The group and key by which a surface is given, with its value.
    pure function given_as(roughness, number) result(text)
       type(roughness_t), intent(in) :: roughness
-      character(len=*), intent(in) :: number         !! of the surface in the names of groups: '' or '2'
+      character(len=*), intent(in) :: number         !! number of the surface in the names of groups: '' or '2'
       character(len=:), allocatable :: text
       if (roughness%is_measured()) then
          text = '&surface'//number//" file = '"//trim(roughness%surface_file)//"'"
@@ -117,11 +117,11 @@ contains
       if (max(x, y) <= 0) shorter = 0
    end function shorter
 
-   !> Refuse what a line contact does not take: heights, and waves along Y but those of a linear response that vary
-   !> along X, too.
+   !> Refuse surfaces outside line contacts: heights, and waves along Y, except linear responses that also vary
+   !> along X.
    subroutine check_line_roughness(case, roughness, number, line, error)
       type(case_t), intent(in) :: case
-      type(roughness_t), intent(in) :: roughness     !! of a surface
+      type(roughness_t), intent(in) :: roughness     !! roughness of a surface
       character(len=*), intent(in) :: number         !! as in `given_as`
       character(len=*), intent(in) :: line           !! ': a line contact ... '
       type(error_t), allocatable, intent(inout) :: error

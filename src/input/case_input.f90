@@ -1,4 +1,4 @@
-!> The input of one case: values as the user gives them, and which keys were given.
+!> The input of a case: values as given by the user, and the given keys.
 module ehlwave_case_input
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_length, key_t, key_value_t, most_keys
@@ -57,8 +57,8 @@ contains
    subroutine take_short(file, key, name, item, error)
       type(namelist_t), intent(inout) :: file
       type(key_t), intent(in) :: key
-      character(len=*), intent(inout) :: name        !! that the file has
-      type(value_t), allocatable, intent(inout) :: item   !! by the whole name, if there is one
+      character(len=*), intent(inout) :: name        !! name in the file
+      type(value_t), allocatable, intent(inout) :: item   !! by the whole name, if any
       type(error_t), allocatable, intent(inout) :: error
       type(value_t), allocatable :: short
       character(len=:), allocatable :: problem
@@ -101,8 +101,8 @@ contains
    !> Give values to some keys.
    subroutine set(self, numbers, values)
       class(case_input_t), intent(inout) :: self
-      integer, intent(in) :: numbers(:)              !! of the keys
-      type(key_value_t), intent(in) :: values(:)     !! one for each
+      integer, intent(in) :: numbers(:)              !! numbers of the keys
+      type(key_value_t), intent(in) :: values(:)     !! one per key
       type(key_list_t) :: list
       integer :: i
 

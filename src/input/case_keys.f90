@@ -1,10 +1,10 @@
 !> The table of keys: every key of a case once, in the order of the effective input.
 !>
 !> A new key is a component of case_t and its statement here; reading, sweeping, effective input, identity, messages
-!> and the printed reference follow. What keys in a row have in common is said once before them (`common`). Give a key
-!> that is added `is_late=.true.`: then cases that do not use it keep their identity, and stores their results. Where
-!> its default is not what cases were before, see `case_text`. What contradicts what stands in `case_completion`. A key
-!> that names a file to be read has a `file`, by which `case/case_files` and the results know it.
+!> and the printed reference follow. Common properties of successive keys precede them (`common`). Give a key that is
+!> added `is_late=.true.`: then cases that do not use it keep their identity, and stores their results. If its default
+!> differs from earlier behaviour, see `case_text`. Contradictions between keys are in `case_completion`. A key that
+!> names a file to be read has a `file`, by which `case/case_files` and the results know it.
 module ehlwave_case_keys
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_t
@@ -33,7 +33,7 @@ contains
       call visit_case_keys(copy, list)
    end function case_key_list
 
-   !> The same without the keys, for those who look up values alone.
+   !> Values without the keys, for callers that need only values.
    function case_values(case) result(list)
       type(case_t), intent(in), optional :: case
       type(key_list_t) :: list
@@ -98,7 +98,7 @@ contains
 
       call list%enter('conditions', 'Either the Moes parameters M, L and D or dimensional data.')
       list%common%is_written = case%is_dimensional
-      ! Bounds of radii, modulus and viscosity are what no contact is known beyond: a value in another unit is refused.
+      ! Bounds of radii, modulus and viscosity include all known contacts: a value in another unit is refused.
       call list%see(case%data%radius_x_m, key_t('radius_x_m', 'reduced radius in the rolling direction', unit='m', &
          minimum=1e-6_dp, maximum=5.0_dp, is_required=.true.))
       call list%see(case%data%radius_y_m, key_t('radius_y_m', 'reduced radius across; none: line contact', unit='m', &

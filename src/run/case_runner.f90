@@ -1,4 +1,4 @@
-!> Runs one planned case.
+!> Runs a planned case.
 module ehlwave_case_runner
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_amplitude, only: fitted_harmonic, sampled_amplitude
@@ -34,8 +34,8 @@ module ehlwave_case_runner
 
 contains
 
-   !> Run a case as planned. Whatever happens inside is told by `result%status`. With `shared`, its steady state is
-   !> used if it is that of the case, and left there for the next.
+   !> Run a case as planned. `result%status` reports every outcome. With `shared`, its steady state is used if it
+   !> belongs to the case, and kept for the next.
    subroutine run_case(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
@@ -153,7 +153,7 @@ contains
       end if
    end function spent_text
 
-   !> Warn where waves in time and small ones, both computed, do not respond alike.
+   !> Warn where waves in time and small waves, both computed, differ in response.
    subroutine compare_with_small_waves(case, result)
       type(case_t), intent(in) :: case
       type(case_result_t), intent(inout) :: result
@@ -192,7 +192,7 @@ contains
       result%warning = result%shear%warning(case%oil%shear_limit_over_pressure > 0, case%effects%are_warm())
    end subroutine take_smooth_film
 
-   !> Pattern that stands still: one steady state for each phase, no time stepping.
+   !> Stationary pattern: a steady state for each phase, no time stepping.
    subroutine run_standing_pattern(case, plan, multigrid, rescue, monitor, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan

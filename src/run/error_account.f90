@@ -16,13 +16,13 @@ module ehlwave_error_account
    private
    public :: error_asked_for, errors_text, take_errors, validity_text
 
-   !> Of the tolerance, that a steady film is off by at most; measured. Residuals of FAS lie at single nodes.
+   !> Share of the tolerance that bounds the error of a steady film; measured. Residuals of FAS lie at single nodes.
    real(dp), parameter :: steady_share = 0.1_dp, multigrid_share = 0.01_dp
-   real(dp), parameter :: smallest_share = 2     !! the same of the smallest film, FAS: up to 1.3 measured
+   real(dp), parameter :: smallest_share = 2     !! share for the smallest film, FAS: up to 1.3 measured
 
 contains
 
-   !> Put together the errors of film and Ad/Ai, and of the one that the case is about the sum.
+   !> Combine the errors of film and Ad/Ai, and their sum for the main quantity.
    subroutine take_errors(case, plan, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -56,7 +56,6 @@ contains
       if (result%amplitude_error_basis == 'model') &
          parts%mesh = plan%model_ratio_error(result%max_pressure, result%central_film_error)
       if (result%amplitude_error_basis == 'coarse_grid') &
-         ! coarser grids take longer steps
          parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)
       if (ieee_is_finite(result%harmonic%ratio) .and. case%effects%changing() == '') &
          parts%amplitude = abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1)
@@ -90,11 +89,11 @@ contains
       text = text//', tolerances '//to_text(parts%algebraic, 2)
    end function errors_text
 
-   !> One line on what a result holds for: edges, linear range, warnings.
+   !> A line on the validity of a result: edges, linear range, warnings.
    function validity_text(case, plan, warning) result(text)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      character(len=*), intent(in), optional :: warning   !! of the result
+      character(len=*), intent(in), optional :: warning   !! warning of the result
       character(len=:), allocatable :: ahead, text
 
       text = 'edges '//trim(case%edges)

@@ -97,7 +97,8 @@ contains
          ! the response to the same waves, where it is there, has no better one
          if (ieee_is_finite(result%harmonic%error)) estimate = max(estimate, result%response_error())
          result%amplitude_ratio_error = estimate
-         if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
+         if (plan%steps > 0) result%amplitude_ratio_error = estimate + plan%expected%time &
+            + expected_step_error(case%step_tolerance)
          result%amplitude_error_basis = 'coarse_grid'
       end if
    end subroutine run_estimated_case
@@ -139,7 +140,7 @@ contains
       if (plan%is_fitted) coarse_case%scheme = 'fitted'
       coarse_case%accuracy = 0                    ! is that of the case itself
       if (case%response /= 'periodic') coarse_case%response = 'transient'   ! others have their own estimate
-      coarse_case%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
+      coarse_case%time_step_over_cell = 1.0_dp/plan%steps_per_cell   ! long steps have a part of their own
       cells = [plan%cells_x, plan%cells_y]
       if (plan%conditions%is_line()) cells(2) = cells(1)
       do factor = 2, 4, 2

@@ -1,4 +1,4 @@
-!> HDF5 file of one case: its quantities, history at the contact centre, fields of the last solution, effective input.
+!> HDF5 file of a case: its quantities, history at the contact centre, fields of the last solution, effective input.
 module ehlwave_field_file
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
@@ -20,7 +20,7 @@ module ehlwave_field_file
 
 contains
 
-   !> Write one case. Fails when the file cannot be written completely.
+   !> Write a case. Fails when the file cannot be written completely.
    subroutine write_case_file(path, case, plan, result, error)
       character(len=*), intent(in) :: path
       type(case_t), intent(in) :: case
@@ -73,7 +73,7 @@ contains
    subroutine write_response(file, harmonic, number)
       type(hdf5_file_t), intent(inout) :: file
       type(harmonic_result_t), intent(in) :: harmonic
-      character(len=*), intent(in) :: number         !! that names end in: '' of the first surface, '_2'
+      character(len=*), intent(in) :: number         !! suffix of names: '' for the first surface, '_2'
 
       if (.not. allocated(harmonic%h)) return
       call file%write('film_response'//number, abs(harmonic%h), '1', 'amplitude of H over Ai, small waves', 'x', 'y')

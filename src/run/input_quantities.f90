@@ -134,7 +134,7 @@ contains
       end associate
    end subroutine add_lengths
 
-   !> The formula of Ad/Ai and what it is a function of.
+   !> The formula of Ad/Ai and its arguments.
    subroutine add_formulas(list, result)
       type(quantity_list_t), intent(inout) :: list
       type(case_result_t), intent(in) :: result
@@ -147,7 +147,7 @@ contains
    !> A key of the case with the value in use.
    subroutine add_key(list, keys, name, exists)
       type(quantity_list_t), intent(inout) :: list
-      type(key_list_t), intent(in) :: keys      !! of the case
+      type(key_list_t), intent(in) :: keys      !! keys of the case
       character(len=*), intent(in) :: name
       logical, intent(in), optional :: exists
       integer :: k

@@ -13,15 +13,15 @@ module ehlwave_pair_responses
 
 contains
 
-   !> Take what both waves do together, after the response to each. Waves of different frequencies change the mean as if
-   !> each were alone, theory eq. (W15). Those of one frequency, with crests at X = 0 at T = 0, act as one pattern.
+   !> Take the joint effect of both waves, after the response to each. Waves of different frequencies change the mean
+   !> independently, theory eq. (W15). Waves of equal frequency, with crests at X = 0 at T = 0, act as a single pattern.
    subroutine take_pair_responses(self, surfaces, central_film, steady, responses, means)
       type(pair_result_t), intent(inout) :: self
       type(surfaces_t), intent(in) :: surfaces
       real(dp), intent(in) :: central_film                   !! smooth H(0,0)
       type(shared_steady_t), intent(inout) :: steady
-      type(harmonic_response_t), intent(in) :: responses(:)  !! of each surface, converged
-      type(mean_change_t), intent(in) :: means(:)            !! the same of the mean
+      type(harmonic_response_t), intent(in) :: responses(:)  !! responses of each surface, converged
+      type(mean_change_t), intent(in) :: means(:)            !! changes of the mean, likewise
       real(dp), allocatable :: film(:, :)
       real(dp) :: amplitudes(2)
       type(harmonic_response_t) :: together
@@ -52,8 +52,8 @@ contains
       if (.not. self%surfaces_touch) self%smallest_film = minval(film)
    end subroutine take_pair_responses
 
-   !> Whether the waves have one frequency, and both or neither vary along Y only; on a line contact also one wave
-   !> number along it, over which the mean is taken.
+   !> Whether the waves have equal frequency, and both or neither vary along Y only; on a line contact also equal
+   !> wave number along it, over which the mean is taken.
    pure logical function are_tied(surfaces, is_line)
       type(surfaces_t), intent(in) :: surfaces
       logical, intent(in) :: is_line

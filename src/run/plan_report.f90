@@ -107,7 +107,7 @@ contains
          ' about '//to_text(plan%expected%total(), 2)//' ('//errors_text(plan%expected)//')'
    end function expected_text
 
-   !> The scheme, where it is the fitted one, and what it spares.
+   !> The fitted scheme, if used, and its savings.
    function scheme_text(case, plan) result(text)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan

@@ -1,5 +1,5 @@
 !> The table of quantities: input, plan and result of a case. JSON, stores and HDF5 files follow from it, so a new
-!> quantity is one entry here and the code that computes it.
+!> quantity needs an entry here and the code that computes it.
 !>
 !> An entry has a name, a long name and the value. It has a unit where the number is not dimensionless, and `exists`
 !> where only some cases have it. `add_key` takes the description of a quantity that is also a key from its table.

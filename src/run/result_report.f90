@@ -83,7 +83,7 @@ contains
          if (thread_count() > 1) text = to_text(thread_count())//' threads, '
       end function threads
 
-      !> Ad/Ai by the formula, which is one for pure rolling.
+      !> Ad/Ai by the formula, which holds for pure rolling.
       function formula() result(text)
          character(len=:), allocatable :: text
          text = ''

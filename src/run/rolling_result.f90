@@ -16,10 +16,10 @@ module ehlwave_rolling_result
    type, public :: rolling_result_t
       real(dp) :: pressure_centre_x = no_value        !! X of the pressure's centre, oil outside the domain included
       real(dp) :: coefficient = no_value              !! resisting force at each surface over the load
-      real(dp) :: share_outside = no_value            !! of it, by oil outside the domain
+      real(dp) :: share_outside = no_value            !! share of it, by oil outside the domain
       real(dp) :: error = no_value                    !! relative, of all of them
       real(dp) :: domain_error = no_value             !! part of it by the edges of the domain
-      real(dp), private :: share_missing = 0          ! of it, that oil outside a dry edge would have
+      real(dp), private :: share_missing = 0          ! share of it, for the missing oil outside a dry edge
    contains
       procedure :: take
       procedure :: add_errors
@@ -29,10 +29,10 @@ module ehlwave_rolling_result
    end type rolling_result_t
 
    integer, parameter :: fewest_domains = 2        !! out to which oil counts, at least
-   real(dp), parameter :: mesh_margin = 2           !! of what grids show
+   real(dp), parameter :: mesh_margin = 2           !! factor on the error shown by grids
    real(dp), parameter :: first_order = 1          !! with two grids
-   real(dp), parameter :: film_share = 0.25_dp     !! of the film error, at least: grids can agree by chance
-   real(dp), parameter :: far_share = 0.03_dp      !! error of the far field, over what it contributes
+   real(dp), parameter :: film_share = 0.25_dp     !! share of the film error, at least: grids can agree by chance
+   real(dp), parameter :: far_share = 0.03_dp      !! error of the far field, over its contribution
 
 contains
 
@@ -77,10 +77,10 @@ contains
                      wet_share(problem, state))/(2*problem%conditions%radius_over_a())
    end function rolling_coefficient
 
-   !> Complete the error, which so far is that of the mesh; where no second grid shows that, it is the film error.
+   !> Complete the error, so far the mesh error; where no second grid shows it, it is the film error.
    pure subroutine add_errors(self, film_error, edge_error, solver_error, lacks_oil)
       class(rolling_result_t), intent(inout) :: self
-      real(dp), intent(in) :: film_error   !! of H(0,0), relative, by the mesh
+      real(dp), intent(in) :: film_error   !! error of H(0,0), relative, by the mesh
       real(dp), intent(in) :: edge_error   !! by the edges of the domain
       real(dp), intent(in) :: solver_error   !! by the solution of effects, as of temperatures
       logical, intent(in) :: lacks_oil     !! whether a longer domain would be full from farther upstream

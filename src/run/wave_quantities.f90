@@ -14,7 +14,7 @@ contains
    subroutine add_response(list, harmonic, number, exists)
       type(quantity_list_t), intent(inout) :: list
       type(harmonic_result_t), intent(in) :: harmonic
-      character(len=*), intent(in) :: number         !! that names end in: '' of the first surface, '_2'
+      character(len=*), intent(in) :: number         !! suffix of names: '' for the first surface, '_2'
       logical, intent(in) :: exists
       character(len=:), allocatable :: of
 
@@ -82,7 +82,7 @@ contains
 
    end subroutine add_response
 
-   !> Quantities of two rough surfaces besides those of the first.
+   !> Quantities of two rough surfaces besides the first.
    subroutine add_pair(list, is_pair, pair)
       type(quantity_list_t), intent(inout) :: list
       logical, intent(in) :: is_pair

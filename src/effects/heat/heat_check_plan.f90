@@ -1,4 +1,4 @@
-!> The heat of a case: what it needs, and what it cannot be asked for.
+!> Heat of a case: required data, and refusals.
 module ehlwave_heat_check_plan
    use ehlwave_case_definition, only: case_t
    use ehlwave_errors, only: error_t, raise
@@ -10,14 +10,14 @@ module ehlwave_heat_check_plan
 
 contains
 
-   !> Give the oil what its laws take of the heat.
+   !> Give the thermal data to the laws of the oil.
    pure subroutine heat_of_oil(case)
       type(case_t), intent(inout) :: case
       case%oil%beta_per_k = case%effects%heat%data%viscosity_temperature_per_k
       case%oil%expansion_per_k = case%effects%heat%data%oil_expansion_per_k
    end subroutine heat_of_oil
 
-   !> Refuse a case with heat that lacks data, or whose temperatures are not near those of the smooth contact.
+   !> Refuse a case with heat that lacks data, or whose temperatures are far from the smooth contact's.
    subroutine check_heat(case, error)
       type(case_t), intent(in) :: case
       type(error_t), allocatable, intent(inout) :: error
@@ -75,7 +75,7 @@ contains
       end associate
    end subroutine check_heat
 
-   !> Whether the viscosity of an oil was measured at one temperature alone.
+   !> Whether the viscosity of an oil was measured at a single temperature.
    pure logical function has_one_temperature(oil)
       type(oil_t), intent(in) :: oil
       has_one_temperature = oil%viscosity_law == tabulated

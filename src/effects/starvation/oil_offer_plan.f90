@@ -1,4 +1,4 @@
-!> The oil that a case offers to its contact: what it may be asked with, and its profile across.
+!> The oil that a case offers to its contact: refusals, and its profile across.
 module ehlwave_oil_offer_plan
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: case_file_t, note_digest
@@ -22,7 +22,7 @@ module ehlwave_oil_offer_plan
 
 contains
 
-   !> Refuse what starved contacts are not solved with. `case` is flooded without an amount of oil.
+   !> Refuse options outside starved contacts. `case` is flooded without an amount of oil.
    subroutine check_inlet(case, error)
       type(case_t), intent(in) :: case
       type(error_t), allocatable, intent(inout) :: error
@@ -90,7 +90,7 @@ contains
       call check_profile(trim(keys%oil_profile), inlet, error)
    end subroutine read_oil
 
-   !> Oil offered at Y = 0 over what the flooded contact passes, by the film formula where a layer is given; before a
+   !> Oil offered at Y = 0 over the flow of the flooded contact, by the film formula where a layer is given; before a
    !> change of the layer.
    pure real(dp) function expected_oil(inlet, conditions, rheology)
       type(inlet_oil_t), intent(in) :: inlet

@@ -25,14 +25,14 @@ module ehlwave_starvation_result
    implicit none (type, external)
    private
 
-   !> The nearer the meniscus, the less coarse grids tell. Of 84 random contacts with too little oil four were off by
-   !> more than 1.16 times the estimate; three of them had R = 0.16 to 0.27 and were off by 1.2 to 1.6 times that.
-   !> One whose gap is full from the inlet edge on, where the oil meets a wider gap, was off by 2.2 times.
-   real(dp), parameter :: starved_share = 0.5_dp   !! of 1 - R
+   !> Coarse grids are less reliable near the meniscus. Of 84 random contacts with too little oil four exceeded 1.16
+   !> times the estimate; three of them, with R = 0.16 to 0.27, were off by 1.2 to 1.6 times. A contact whose gap is
+   !> full from the inlet edge on, where the oil meets a wider gap, was off by 2.2 times.
+   real(dp), parameter :: starved_share = 0.5_dp   !! share of 1 - R
    real(dp), parameter :: full_margin = 2
-   !> Least error of R over that of the film, which counts up to `largest_film_error`: grids can agree by chance. Of 215
-   !> random R 72 were off by more than grids say, by up to four times. With this share, the factors of the film, and
-   !> `full_margin` where the gap is full from the inlet edge on, one of 172 was off by more, by 1.05 times.
+   !> Least error of R over the film error, which counts up to `largest_film_error`: grids can agree by chance. Of 215
+   !> random R 72 exceeded the estimate from grids, by up to four times. With this share, the factors of the film, and
+   !> `full_margin` where the gap is full from the inlet edge on, one of 172 exceeded it, by 1.05 times.
    real(dp), parameter :: ratio_share = 0.1_dp, largest_film_error = 0.2_dp
 
    !> Values of flooded contacts are NaN.
@@ -45,7 +45,7 @@ module ehlwave_starvation_result
       real(dp) :: short_edge = 0                     !! error of the film, relative, by an inlet edge that the full gap
                                                      !! reaches
       real(dp) :: solve_over_flooded = no_value      !! counted work of the starved solve over the flooded solve
-      type(oil_passage_t) :: passage                 !! of the smooth contact
+      type(oil_passage_t) :: passage                 !! oil passage of the smooth contact
       real(dp), allocatable :: content(:, :)         !! theta of the last solution, if fields are kept
    contains
       procedure :: solve
@@ -99,7 +99,7 @@ contains
          self%oil_over_flooded = level%given%supply(minloc(abs(grid%y), 1) - 1)/flooded%oil(n)
          self%solve_over_flooded = work/flooded%work - 1
          call follow_oil(level%problem, level%given, level%state, self%passage)
-         ! a longer domain has a thicker film, the flooded one at most
+         ! a longer domain has a thicker film, at most the flooded film
          if (self%lacks_oil_outside(grid)) self%short_edge = max(0.0_dp, flooded%film(n)/level%central_film - 1)
       end associate
    end subroutine take
@@ -136,7 +136,7 @@ contains
       error = self%short_edge
    end function edge_error
 
-   !> Widen the error of R as that of the film is.
+   !> Widen the error of R like the film error.
    subroutine add_own_errors(self, grid, result)
       class(starvation_result_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
@@ -151,7 +151,7 @@ contains
       end associate
    end subroutine add_own_errors
 
-   !> The part of the film is the error of R, which grids tell, as that of the film.
+   !> For the film the part is the error of R, found from grids like the film error.
    subroutine add_errors(self, k, case, plan, film, ratio)
       class(starvation_result_t), intent(in) :: self
       integer, intent(in) :: k
