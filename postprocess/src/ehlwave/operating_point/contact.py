@@ -237,7 +237,7 @@ class Contact(WavyContact):
         >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127,
         ...     reduced_modulus_pa=2.26e11, load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
         >>> print(f"{contact.sensitivities().central_film['mean_speed_m_per_s']:.2f}")
-        0.69
+        0.67
         """
         from ehlwave.operating_point.gradients import sensitivities
 
@@ -281,7 +281,7 @@ class Contact(WavyContact):
         ...     pressure_viscosity_error=0.15, viscosity_error=0.05, load_error=0.1)
         >>> budget = contact.error_budget()
         >>> print(f"{budget.central_film['total']:.2f}, most by {budget.index[0]}")
-        0.09, most by pressure_viscosity_per_pa
+        0.10, most by pressure_viscosity_per_pa
         """
         from ehlwave.operating_point.gradients import error_budget
 

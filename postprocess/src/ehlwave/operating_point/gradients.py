@@ -13,7 +13,7 @@ from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
 
 if TYPE_CHECKING:
     from ehlwave.laws.answers import Film
-    from ehlwave.operating_point.contact import Contact
+    from ehlwave.operating_point.smooth import SmoothContact
 
 RESULTS = ("central_film", "minimum_film", "friction")
 PROGRAM_RESULTS = {
@@ -38,7 +38,7 @@ CELLS, LINE_CELLS = 128, 512
 Results = Mapping[str, float]
 
 
-def sensitivities(contact: "Contact", by: str | None = None) -> pd.DataFrame:
+def sensitivities(contact: "SmoothContact", by: str | None = None) -> pd.DataFrame:
     """Return the result of :meth:`ehlwave.Contact.sensitivities`."""
     keys = _keys(contact)
     try:
@@ -53,7 +53,7 @@ def sensitivities(contact: "Contact", by: str | None = None) -> pd.DataFrame:
 
 
 def error_budget(
-    contact: "Contact",
+    contact: "SmoothContact",
     surface: Any,  # noqa: ANN401 - a surface or a source of one
     by: str | None,
     options: Mapping[str, Any],
@@ -69,7 +69,7 @@ def error_budget(
     if surface is not None:
         keys = _keys(contact)
 
-        def ratio(other: "Contact") -> Results:
+        def ratio(other: Any) -> Results:  # noqa: ANN401 - a Contact
             return {LAMBDA: other.lambda_ratio(surface, **options)}
 
         powers[LAMBDA] = [_slope(contact, key, keys[key], ratio)[LAMBDA] for key in errors]
@@ -85,7 +85,7 @@ def error_budget(
     return table
 
 
-def given_errors(contact: "Contact") -> dict[str, float]:
+def given_errors(contact: "SmoothContact") -> dict[str, float]:
     """Return the relative standard errors of data by the keys that they belong to."""
     given, keys = dict(contact._given.given), _keys(contact)
     return {
@@ -95,7 +95,7 @@ def given_errors(contact: "Contact") -> dict[str, float]:
     }
 
 
-def _keys(contact: "Contact") -> dict[str, float]:
+def _keys(contact: "SmoothContact") -> dict[str, float]:
     """Return the numbers that the results depend on; those of pure rolling without their slip."""
     given = {**DEFAULTS, **contact._keys}
     found = {key: float(given[key]) for key in KEYS if key in given and float(given[key])}
@@ -105,7 +105,7 @@ def _keys(contact: "Contact") -> dict[str, float]:
 
 
 def _slope(
-    contact: "Contact", key: str, value: float, results: Callable[["Contact"], Results]
+    contact: "SmoothContact", key: str, value: float, results: Callable[["SmoothContact"], Results]
 ) -> dict[str, float]:
     """Return d ln(result)/d ln(key) of all results, to one side where the other has no answer."""
     ends: dict[int, Results] = {}
@@ -129,7 +129,7 @@ def _slope(
     }
 
 
-def _by_laws(contact: "Contact") -> Results:
+def _by_laws(contact: "SmoothContact") -> Results:
     film: Film = contact._film("laws")
     in_metres = film.central_m is not None
     central = film.central_m if in_metres else film.central_moes
@@ -138,7 +138,7 @@ def _by_laws(contact: "Contact") -> Results:
     return {name: math.nan if value is None else value for name, value in found.items()}
 
 
-def _by_program(contact: "Contact", keys: Mapping[str, float]) -> dict[str, dict[str, float]]:
+def _by_program(contact: "SmoothContact", keys: Mapping[str, float]) -> dict[str, dict[str, float]]:
     from ehlwave.cases.case import Case
     from ehlwave.programs.case_input import case_keys
 
