@@ -23,7 +23,7 @@ Floats = NDArray[np.float64]
 
 FRICTION_COEFFICIENTS = (0.25537, 0.67337, 0.25624, 0.42594, 0.23419, 0.36664, 56.145)
 """Coefficients of :func:`friction_factor`."""
-FRICTION_BAR, COLD_BAR = 0.12, 0.03
+FRICTION_BAR, COLD_BAR = 0.12, 0.029
 """Relative errors of friction with and without heat: 95 % of contacts held out are within. Errors
 of films come from :func:`ehlwave.laws.warm_films.film_error`."""
 ELLIPSE_BAR = 0.05
