@@ -41,6 +41,10 @@ TOLERANCE, STARVED_TOLERANCE = 0.01, 0.02
 """Errors of the interpolation, absolute, below the errors of the atlases and of the law of starved
 contacts.
 """
+STARVED_WAVES, MOST_STARVED = (0.2, 4.0), 15
+"""Wavelengths over a of starved contacts, and their largest number. A shorter wave needs a grid
+that takes half a minute: it is continued, and its error covers this.
+"""
 FINE = 161
 """Points of the tables that replace the splines."""
 LOGS = np.linspace(math.log(WAVE_RANGE[0]), math.log(WAVE_RANGE[1]), FINE)
@@ -184,7 +188,9 @@ class ComputedTransfer(AtlasTransfer):
                 rows, ends, most, first = self._marches, MARCHED, MOST_MARCHED, FIRST
                 if not self._conditions.is_line:  # a march takes up to a minute
                     ends, most, first = MARCHED_ELLIPSE, MOST_ELLIPSE, FIRST_ELLIPSE
-            tolerance = STARVED_TOLERANCE if self._conditions.is_starved else TOLERANCE
+            tolerance = TOLERANCE
+            if self._conditions.is_starved:
+                tolerance, ends, most = STARVED_TOLERANCE, STARVED_WAVES, MOST_STARVED
             self._curves[angle] = refined(
                 lambda waves: rows(waves, angle), ends, tolerance, bases, most, first
             )

@@ -32,6 +32,8 @@ Floats = NDArray[np.float64]
 
 FILM_POWER = 0.67
 """Power of the viscosity in the film."""
+NEWTONIAN = 2.0
+"""Factor on the error under slip in Newtonian oils, which the marches of the fit do not have."""
 MOST_WARMTH = 3.0
 """From which on the error does not grow."""
 
@@ -104,6 +106,7 @@ class WarmTransfer:
     cold: Transfer
     thin: Transfer
     warmth: float
+    error_factor: float = 1.0
 
     @property
     def name(self) -> str:
@@ -148,7 +151,9 @@ class WarmTransfer:
             return None
         both = [one.ratio(per_length_x, per_length_y) for one in (self.cold, self.thin)]
         waves = np.hypot(per_length_x, per_length_y) > 0  # the mean is not deformed
-        return np.asarray(own + waves * warm_error(both[1] - both[0], self.warmth))
+        return np.asarray(
+            own + waves * self.error_factor * warm_error(both[1] - both[0], self.warmth)
+        )
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether both transfers are known there."""
