@@ -13,6 +13,8 @@ module ehlwave_effect_plan
 
    type, abstract, public :: effect_plan_t
    contains
+      procedure, nopass :: complete
+      procedure, nopass :: check_data
       procedure, nopass :: check
       procedure :: make
       procedure :: is_even
@@ -30,6 +32,17 @@ module ehlwave_effect_plan
    end type effect_plan_t
 
 contains
+
+   !> Give other parts of a case what they take from the effect.
+   subroutine complete(case)
+      type(case_t), intent(inout) :: case
+   end subroutine complete
+
+   !> Refuse data of the effect that are not complete, before the case is completed.
+   subroutine check_data(case, error)
+      type(case_t), intent(in) :: case
+      type(error_t), allocatable, intent(inout) :: error
+   end subroutine check_data
 
    !> Refuse an input that contradicts the effect.
    subroutine check(case, error)
