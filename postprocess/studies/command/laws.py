@@ -121,7 +121,7 @@ def judged(options: argparse.Namespace) -> int:
 
 @study("answered", output("answered"))
 def answered(options: argparse.Namespace) -> int:
-    """Ask for 24 contacts of catalogues, half of them hot or starved, and measure the times.
+    """Measure how long 24 contacts take, half of them hot or starved.
 
     Film in at most 10 s and lambda ratio of a trace in at most 60 s of the processors, and at once
     the second time. Writes answered.csv.

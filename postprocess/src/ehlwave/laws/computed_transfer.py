@@ -45,6 +45,10 @@ STARVED_WAVES, MOST_STARVED = (0.2, 4.0), 15
 """Wavelengths over a of starved contacts, and their largest number. A shorter wave needs a grid
 that takes half a minute: it is continued, and its error covers this.
 """
+STARVED_LONG, LONG_ACCURACY = 0.7, 0.2
+"""Wavelength over a from which on starved contacts have the second relative error: little is left
+of such waves, and a small relative error takes ten times as long.
+"""
 FINE = 161
 """Points of the tables that replace the splines."""
 LOGS = np.linspace(math.log(WAVE_RANGE[0]), math.log(WAVE_RANGE[1]), FINE)
@@ -201,9 +205,13 @@ class ComputedTransfer(AtlasTransfer):
         keys, every = self._keys, self._columns(waves, angle)
         if 0 < angle < 90 or self._conditions.is_starved:  # products of cosines have another rise
             keys = keys | {"mean_rise": False}
+        if self._conditions.is_starved:  # the finest grid that a plan takes
+            keys = {key: value for key, value in keys.items() if key != "accuracy"}
+            for wave, columns in zip(waves, every, strict=True):
+                columns["accuracy"] = ACCURACY if wave < STARVED_LONG else LONG_ACCURACY
         rows = run_waves(keys, every, self._progress)
         self._judge_heat(rows)
-        if self._conditions.is_starved:  # the finest grid that a plan takes
+        if self._conditions.is_starved:
             return rows
         coarse = [k for k, row in enumerate(rows) if error_of(row) > LARGE_ERROR]
         finer = keys | {"accuracy": FINER_ACCURACY}

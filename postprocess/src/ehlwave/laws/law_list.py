@@ -28,7 +28,7 @@ from ehlwave.laws.starved_transfer import StarvedTransfer
 from ehlwave.laws.table import TableTransfer
 from ehlwave.laws.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.laws.two_wave_transfer import TwoWaveTransfer
-from ehlwave.laws.warm_waves import NEWTONIAN, WarmTransfer, thinner, warmth_of
+from ehlwave.laws.warm_waves import BEYOND, MORE_ERROR, NEWTONIAN, WarmTransfer, thinner, warmth_of
 from ehlwave.programs.case_input import case_keys, case_text
 from ehlwave.programs.programs import has_programs
 
@@ -97,9 +97,9 @@ def _warm_computed(asked: Asked) -> Transfer:
         raise RangeError("the central film is given, without the rises of the oil")
     warmth = warmth_of(film, asked.heat, slip)
     thin = thinner(asked.conditions, film.heated.film_factor)
-    doubts = NEWTONIAN if slip != 1 and asked.conditions.oil.name == "Newtonian" else 1.0
+    doubts = NEWTONIAN if slip != 1 and asked.conditions.oil.name == "Newtonian" else BEYOND
     cold = asked.cold()
-    return WarmTransfer(transfer_for(cold), transfer_for(cold.of(thin)), warmth, doubts)
+    return WarmTransfer(transfer_for(cold), transfer_for(cold.of(thin)), warmth, doubts, MORE_ERROR)
 
 
 def _computed(asked: Asked) -> Transfer:
