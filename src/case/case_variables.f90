@@ -1,8 +1,8 @@
 !> The inputs by which the results of a case are differentiated, and the case as it would be with others.
 !>
 !> A variable is a key with a number that enters the equations: conditions, oil, layer, waves. The case is completed
-!> anew for each variant, so that all that follows from a key changes with it. Grid and domain stay those of the plan,
-!> in units of a and b.
+!> anew for each variant, so that all that follows from a key changes with it. Grid and domain stay as in the plan, in
+!> units of a and b.
 module ehlwave_case_variables
    use ehlwave_case_completion, only: case_conditions
    use ehlwave_case_definition, only: case_t
@@ -23,7 +23,7 @@ module ehlwave_case_variables
    private
    public :: case_variables, variable_names
 
-   real(dp), parameter :: step = 1e-5_dp   !! of the logarithm of a key
+   real(dp), parameter :: step = 1e-5_dp   !! step in the logarithm of a key
 
    character(len=*), parameter :: slide = 'slide_to_roll_ratio'
    character(len=*), parameter :: steady_groups(3) = [character(len=10) :: 'conditions', 'lubricant', 'inlet']

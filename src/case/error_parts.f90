@@ -5,7 +5,7 @@ module ehlwave_error_parts
    implicit none (type, external)
    private
 
-   !> Expected by a plan, or estimated after a run. Their sum is what `accuracy` is about.
+   !> Expected by a plan, or estimated after a run. `accuracy` limits their sum.
    type, public :: error_parts_t
       real(dp) :: mesh = 0         !! by the mesh, and of moving waves by time steps that follow it
       real(dp) :: by_effect(effect_count) = 0   !! by each physical effect, of first order in the mesh size

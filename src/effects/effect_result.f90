@@ -1,6 +1,6 @@
 !> One physical effect in the result of a case: its steady state, its numbers, and its errors.
 !>
-!> An effect overrides what concerns it; the procedures here do nothing.
+!> An effect overrides the procedures that concern it; the procedures here do nothing.
 module ehlwave_effect_result
    use ehlwave_bare_result, only: bare_result_t
    use ehlwave_case_definition, only: case_t
@@ -60,7 +60,7 @@ contains
       type(rescue_t), intent(inout) :: rescue
       type(solve_limits_t), intent(in) :: limits     !! for the finest level
       real(dp), intent(in) :: coarse_tolerance       !! for the others
-      type(energy_t), intent(inout) :: energy        !! of a steady state with temperatures
+      type(energy_t), intent(inout) :: energy        !! energy equation of a steady state with temperatures
    end subroutine solve
 
    !> Take the numbers of the converged steady state.
@@ -119,7 +119,8 @@ contains
       lacks_oil_outside = .false.
    end function lacks_oil_outside
 
-   !> Add the errors by the solution of the effect to those of film and friction, and widen those of its numbers.
+   !> Add the errors by the solution of the effect to the errors of film and friction, and widen the errors of its own
+   !> results.
    subroutine add_own_errors(self, grid, result)
       class(effect_result_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
@@ -144,7 +145,7 @@ contains
       text = ''
    end function advice
 
-   !> Give a march what the effect changes in time.
+   !> Give a march the changes of the effect in time.
    subroutine set_march(case, settings)
       type(case_t), intent(in) :: case
       type(march_settings_t), intent(inout) :: settings

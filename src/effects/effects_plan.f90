@@ -10,12 +10,14 @@ module ehlwave_effects_plan
    use ehlwave_kinds, only: dp
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_starvation_plan, only: starvation_plan_t
+   use ehlwave_touching_plan, only: touching_plan_t
    implicit none (type, external)
    private
    public :: error_name, error_help
 
    type, public :: effects_plan_t
       type(heat_plan_t) :: heat
+      type(touching_plan_t) :: touching
       type(starvation_plan_t) :: starvation
    contains
       procedure :: effect
@@ -44,6 +46,7 @@ contains
       class(effect_plan_t), pointer :: one
       select case (k)
       case (1); one => self%heat
+      case (2); one => self%touching
       case default; one => self%starvation
       end select
    end function effect
@@ -68,7 +71,7 @@ contains
       help = one%error_help()
    end function error_help
 
-   !> Give other parts of a case what they take from its effects.
+   !> Give other parts of a case their data from its effects.
    subroutine complete(self, case)
       class(effects_plan_t), intent(in), target :: self
       type(case_t), intent(inout) :: case
@@ -161,7 +164,7 @@ contains
       end do
    end subroutine limit_mesh
 
-   !> Note in the plan's resolution what the grid does not resolve of the effects.
+   !> Note in the plan's resolution any scale of the effects that the grid does not resolve.
    subroutine judge(self, plan)
       class(effects_plan_t), intent(inout), target :: self
       class(bare_plan_t), intent(inout) :: plan
@@ -185,7 +188,7 @@ contains
       end do
    end subroutine expect_ratio_error
 
-   !> Multiply the cost of steady states and of time steps by what the effects cost.
+   !> Multiply the cost of steady states and of time steps by the cost factors of the effects.
    subroutine multiply_cost(self, steady, step)
       class(effects_plan_t), intent(in), target :: self
       real(dp), intent(inout) :: steady, step
@@ -216,7 +219,7 @@ contains
    subroutine check_run(self, case, kind, end_time, error)
       class(effects_plan_t), intent(in), target :: self
       type(case_t), intent(in) :: case
-      integer, intent(in) :: kind                    !! of run, see `bare_plan`
+      integer, intent(in) :: kind                    !! kind of run, see `bare_plan`
       real(dp), intent(in) :: end_time               !! T to which is marched
       type(error_t), allocatable, intent(inout) :: error
       class(effect_plan_t), pointer :: one

@@ -18,11 +18,13 @@ module ehlwave_effects_result
    use ehlwave_rescue, only: rescue_t
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_starvation_result, only: starvation_result_t
+   use ehlwave_touching_result, only: touching_result_t
    implicit none (type, external)
    private
 
    type, public :: effects_result_t
       type(heat_result_t) :: heat
+      type(touching_result_t) :: touching
       type(starvation_result_t) :: starvation
    contains
       procedure :: effect
@@ -54,6 +56,7 @@ contains
       class(effect_result_t), pointer :: one
       select case (k)
       case (1); one => self%heat
+      case (2); one => self%touching
       case default; one => self%starvation
       end select
    end function effect
@@ -67,7 +70,7 @@ contains
       type(rescue_t), intent(inout) :: rescue
       type(solve_limits_t), intent(in) :: limits     !! for the finest level
       real(dp), intent(in) :: coarse_tolerance       !! for the others
-      type(energy_t), intent(inout) :: energy        !! of a steady state with temperatures
+      type(energy_t), intent(inout) :: energy        !! energy equation of a steady state with temperatures
       class(effect_result_t), pointer :: one
       integer :: k
       do k = 1, effect_count
@@ -173,7 +176,7 @@ contains
       end do
    end function advice
 
-   !> Give a march what the effects change in time.
+   !> Give a march the changes of the effects in time.
    subroutine set_march(self, case, settings)
       class(effects_result_t), intent(in), target :: self
       type(case_t), intent(in) :: case
@@ -278,7 +281,8 @@ contains
       end do
    end function steepening
 
-   !> Add the errors by the solution of the effects to those of film and friction, and widen those of their numbers.
+   !> Add the errors by the solution of the effects to the errors of film and friction, and widen the errors of their
+   !> own results.
    subroutine add_own_errors(self, grid, result)
       class(effects_result_t), intent(inout), target :: self
       type(grid_t), intent(in) :: grid

@@ -14,7 +14,7 @@ module ehlwave_contact_variant
 
    integer, parameter, public :: variable_length = 32   !! longest name of a variable
 
-   !> Centred differences, and those of second order at the end of a range.
+   !> Centred differences, and second-order differences at the end of a range.
    real(dp), parameter :: central_places(2) = [1.0_dp, -1.0_dp], central_weights(2) = [0.5_dp, -0.5_dp]
    real(dp), parameter :: one_sided_places(3) = [0.0_dp, 1.0_dp, 2.0_dp], &
                           one_sided_weights(3) = [-1.5_dp, 2.0_dp, -0.5_dp]
@@ -22,11 +22,11 @@ module ehlwave_contact_variant
    !> One point of a difference quotient.
    type, public :: contact_variant_t
       real(dp) :: place = 0               !! change of x
-      real(dp) :: weight = 0              !! of what is differentiated
+      real(dp) :: weight = 0              !! weight of the differentiated quantity
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       type(inlet_oil_t) :: inlet
-      type(waviness_t) :: waves           !! of the first rough surface
+      type(waviness_t) :: waves           !! waves of the first rough surface
       real(dp) :: natural_frequency = 0
    end type contact_variant_t
 
@@ -62,7 +62,7 @@ contains
       end if
    end subroutine place_variants
 
-   !> The problem of a variant. Its deformation is that of the problem at hand, where it has the same kernel, until
+   !> The problem of a variant. It borrows the deformation of the present problem, if the kernel is the same, until
    !> `give_back`.
    subroutine stand_in(self, k, problem, other)
       class(contact_variable_t), intent(in) :: self

@@ -50,11 +50,11 @@ module ehlwave_bare_result
       real(dp) :: minimum_film_domain_error = no_value, friction_domain_error = no_value   !! parts of them by the edges
       character(len=12) :: film_error_basis = ''     !! basis of the errors: 'coarse_grid' or 'model'
       real(dp) :: film_order = no_value              !! observed order of H(0,0) on the three finest levels
-      real(dp) :: amplitude_ratio_error = no_value   !! of Ad/Ai
+      real(dp) :: amplitude_ratio_error = no_value   !! error of Ad/Ai
       character(len=12) :: amplitude_error_basis = ''   !! basis: 'coarse_grid', 'model', or no estimate
       ! with their other parts; see run/error_account
       type(error_parts_t) :: film_errors = error_parts_t(mesh=no_value)    !! parts of the error of H(0,0)
-      type(error_parts_t) :: ratio_errors = error_parts_t(mesh=no_value)   !! of Ad/Ai
+      type(error_parts_t) :: ratio_errors = error_parts_t(mesh=no_value)   !! parts of the error of Ad/Ai
       real(dp) :: error_estimate = no_value          !! sum of the parts of the main quantity
       real(dp) :: settling = 0                       !! relative error of Ad/Ai by its change since the period
                                                      !! before
@@ -87,9 +87,9 @@ module ehlwave_bare_result
       real(dp) :: seconds = 0                        !! wall time of the case
       real(dp) :: work_units = 0                     !! work in plain FFT convolutions of the whole grid
       real(dp) :: work = 0                           !! operations counted, without error estimates and sensitivities,
-      real(dp) :: counted_work_units = no_value      !! and the same in those of a convolution
+      real(dp) :: counted_work_units = no_value      !! operations in units of a convolution
       real(dp) :: all_work = 0                       !! operations with error estimates and sensitivities,
-      real(dp) :: total_work_units = no_value        !! and the same in those of a convolution
+      real(dp) :: total_work_units = no_value        !! all operations in units of a convolution
       real(dp) :: peak_memory_mib = 0                !! peak memory of the process so far
       real(dp), allocatable :: residual_history(:)  !! residuals of the failed solution: before each step and at the end
       ! history of the contact centre: times T, or phases over 2 pi for standing patterns

@@ -42,8 +42,8 @@ module ehlwave_film_errors
    !> and 96 cells had 6 and 10 of it, an averaged one of M = 32 with 96 x 96 cells had 6.
    real(dp), parameter :: fitted_sum = 7, sum_factor = 4
 
-   !> Order with two grids where errors are of first order: a film with a meniscus was off by 3 times what the second
-   !> order says (S = 0.26, R = 0.33).
+   !> Order with two grids where errors are of first order: a film with a meniscus exceeded the second-order estimate
+   !> 3 times (S = 0.26, R = 0.33).
    real(dp), parameter :: first_order = 1
 
    !> Largest P above which coarse grids are less reliable for the film: one of 1573 random contacts, with P = 1.96 (M
@@ -100,9 +100,9 @@ contains
       call add_domain(plan, multigrid%levels(n), result)
    end subroutine estimate_film_errors
 
-   !> Add what the edges of a flooded domain leave, and one that is too short for an effect: in the smallest film as in
-   !> that of the centre, whose part is counted apart, and in the friction the oil outside as well, theory eq. (T11).
-   !> Truncated edges are what was asked for.
+   !> Add errors by the edges of a flooded domain, and by a domain too short for an effect: in the smallest film as in
+   !> the central film, whose part is counted apart. The friction adds the oil outside, theory eq. (T11). Truncated
+   !> edges are requested and add no error.
    subroutine add_domain(plan, level, result)
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level             !! the finest

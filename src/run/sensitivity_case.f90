@@ -61,7 +61,7 @@ contains
       end associate
    end subroutine find_smooth_sensitivities
 
-   !> The variables of a case, and at the end those of any oil.
+   !> The variables of a case, with the variables of any oil at the end.
    function all_variables(case, plan, steady) result(variables)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -126,7 +126,7 @@ contains
    subroutine take_results(problem, state, base, values)
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state, base          !! node of the smallest film and cavitated
-                                                        !! nodes are those of the base
+                                                        !! nodes of the base
       real(dp), intent(out) :: values(:)
       real(dp), allocatable, dimension(:, :) :: b, factor_x, factor_y, stress
       real(dp) :: friction, length

@@ -37,7 +37,7 @@ contains
       end associate
    end subroutine add_sensitivities
 
-   !> Without those of results that are not given.
+   !> Leave out variables of results that are not given.
    pure function of_known_results(gradient, result) result(known)
       type(gradient_t), intent(in) :: gradient
       type(case_result_t), intent(in) :: result

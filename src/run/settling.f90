@@ -20,9 +20,9 @@ module ehlwave_settling
 
 contains
 
-   !> Relative error of the amplitude in the last period. Waves alone settle as `change_in_a_period` says. Where the
-   !> layer of oil or the load changes besides, or the contact may swing, see `left_to_come`; before the inlet can have
-   !> followed a change of the layer the error is unknown.
+   !> Relative error of the amplitude in the last period. `change_in_a_period` gives the settling of waves alone. Where
+   !> the layer of oil or the load changes besides, or the contact may swing, see `left_to_come`; before the inlet can
+   !> have followed a change of the layer the error is unknown.
    real(dp) function settling_error(case, plan, history, result) result(error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan

@@ -19,7 +19,7 @@ module ehlwave_shared_steady
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: limits_of, steady_key
+   public :: grid_of, limits_of, steady_key
 
    !> It owns the hierarchy. Such a large object is a `class` here and where it is declared: for a `type` gfortran
    !> writes copies and ends of all its parts into each procedure, which compiles three times as long.
@@ -29,12 +29,12 @@ module ehlwave_shared_steady
       type(rolling_result_t) :: rolling              !! its resistance to rolling
       type(rescue_t) :: rescue                       !! as the steady state left it, for later parts of a case
       class(harmonic_solver_t), allocatable :: response          !! about the finest level
-      type(steady_gradient_t) :: gradient            !! of its state, see `differentiate`
+      type(steady_gradient_t) :: gradient            !! gradient of its state, see `differentiate`
       class(harmonic_solver_t), allocatable :: coarse_response   !! about the next coarser state, if `has_coarse`
       logical :: has_coarse = .false.
       integer :: many_nodes = 1000000                !! above which linear systems are not kept side by side
       real(dp) :: work = 0                           !! operations that the steady state took
-      type(effects_result_t) :: effects              !! of the steady state
+      type(effects_result_t) :: effects              !! effects of the steady state
       real(dp), private :: linear_work = 0, derivative_work = 0   ! work of linear systems and derivatives kept with it
       real(dp), private :: kept_work = 0, mark = 0   ! work by other cases for the present one; count at its start
       logical, private :: is_linearised = .false., is_differentiated = .false.

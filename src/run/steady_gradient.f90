@@ -1,4 +1,4 @@
-!> Derivatives of a steady state by variables, of a starved one with those of the flooded contact it is measured by.
+!> Derivatives of a steady state by variables; a starved state adds the derivatives of its flooded reference.
 module ehlwave_steady_gradient
    use ehlwave_contact_gradient, only: gradient_basis_t, moved_state, residual_slope
    use ehlwave_contact_problem, only: contact_problem_t
@@ -15,7 +15,7 @@ module ehlwave_steady_gradient
    integer, parameter :: most_variants = 3
 
    type, public :: steady_gradient_t
-      character(len=variable_length), allocatable :: names(:)   !! of the variables
+      character(len=variable_length), allocatable :: names(:)   !! names of the variables
       type(tangent_change_t), allocatable :: changes(:)         !! du/dx
       real(dp), allocatable :: oil(:, :)                        !! (variants, variables) rho H of the flooded contact's
                                                                 !! centre, where an oil offered is over that
@@ -42,9 +42,9 @@ contains
       class(steady_gradient_t), intent(inout) :: self
       type(steady_tangent_t), intent(inout) :: tangent     !! about the state of the finest level
       type(level_t), intent(inout), target :: levels(:)
-      type(flooded_t), intent(inout) :: flooded            !! of a starved contact
+      type(flooded_t), intent(inout) :: flooded            !! flooded reference of a starved contact
       type(contact_variable_t), intent(in) :: variables(:)
-      real(dp), intent(in) :: tolerance                    !! of linear residuals
+      real(dp), intent(in) :: tolerance                    !! tolerance of linear residuals
 
       self%names = variables%name
       self%solves = 0

@@ -19,7 +19,7 @@ module ehlwave_starvation
       real(dp), allocatable :: film(:)       !! H(0,0) of each level, coarsest first; NaN: none
       real(dp), allocatable :: oil(:)        !! rho H there
       real(dp) :: work = 0                   !! operations
-      type(state_t) :: state                 !! of the finest level
+      type(state_t) :: state                 !! state of the finest level
    end type flooded_t
 
    real(dp), parameter :: least_ratio = 4    !! oil where a path begins, at r = 1 or above, over that where it ends

@@ -81,7 +81,7 @@ contains
 
    !> The steady state moved along its derivative, in the problem of a variant.
    subroutine moved_state(problem, changes_kernel, given, base, change, place, state)
-      type(contact_problem_t), intent(inout) :: problem    !! of the variant
+      type(contact_problem_t), intent(inout) :: problem    !! problem of the variant
       logical, intent(in) :: changes_kernel
       type(given_t), intent(in) :: given
       type(state_t), intent(in) :: base, change            !! u, du/dx
@@ -98,14 +98,14 @@ contains
       end if
    end subroutine moved_state
 
-   !> Change of the state for a right side: what earlier right sides give, and a solve of the rest where that is above
-   !> the tolerance.
+   !> Change of the state for a right side: from earlier right sides, and a solve of the rest if it exceeds the
+   !> tolerance.
    subroutine solve(self, tangent, levels, b, tolerance, change)
       class(gradient_basis_t), intent(inout) :: self
       type(steady_tangent_t), intent(inout) :: tangent
-      type(level_t), intent(inout), target :: levels(:)   !! those of `tangent`
+      type(level_t), intent(inout), target :: levels(:)   !! levels of `tangent`
       real(dp), intent(in), contiguous :: b(:)
-      real(dp), intent(in) :: tolerance                   !! of the linear residual
+      real(dp), intent(in) :: tolerance                   !! tolerance of the linear residual
       type(tangent_change_t), intent(out) :: change
       type(tangent_change_t) :: found
       real(dp), allocatable :: rest(:), share(:)

@@ -8,7 +8,7 @@ import unittest
 
 from ehlwave_program import IS_LONG, TestCase, report, solve
 
-STEP = 2e-5          # of the logarithm of a key
+STEP = 2e-5          # step in the logarithm of a key
 AGREEMENT = 1e-4     # relative,
 ABSOLUTE = 1e-6      # or this
 TIGHT = {"tolerance": 1e-12, "response_tolerance": 1e-11, "largest_steps": 100}
@@ -147,7 +147,7 @@ class InputGradients(TestCase):
                 self.assertAlmostEqual(total, expected, delta=2e-5, msg=f"{of}, {unit}")
 
     def test_refusals(self):
-        """What is not differentiated is refused with the key and the change that helps."""
+        """Inputs without derivatives are refused with the key and the remedy."""
         groups = {"conditions": conditions(random.Random(3), False, True), "grid": {"cells_x": 48, "cells_y": 48}}
         waves = {"orientation": "transverse", "wavelength_over_a": 1}
         for more, words in (({"waviness": waves}, ("sensitivities", "harmonic")),

@@ -9,7 +9,7 @@ module ehlwave_heat_plan
    implicit none (type, external)
    private
 
-   real(dp), parameter :: cost = 4       !! of a solution with heat, of one without; measured: 1.3 to 5
+   real(dp), parameter :: cost = 4       !! cost of a solution with heat, relative to isothermal; measured: 1.3 to 5
 
    type, extends(effect_plan_t), public :: heat_plan_t
       logical :: is_given = .false.

@@ -25,7 +25,7 @@ module ehlwave_heat_result
 
    type, extends(effect_result_t), public :: heat_result_t
       type(heat_account_t) :: account
-      real(dp), allocatable :: rise_k(:, :, :)       !! of `warm_fields`, if fields are kept
+      real(dp), allocatable :: rise_k(:, :, :)       !! rises of `warm_fields`, if fields are kept
    contains
       procedure, nopass :: place
       procedure :: solve

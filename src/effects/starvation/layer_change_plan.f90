@@ -38,7 +38,7 @@ contains
    pure subroutine change_times(keys, conditions, distance, x_min, outlet, passed, rest)
       type(starvation_keys_t), intent(in) :: keys
       type(conditions_t), intent(in) :: conditions
-      real(dp), intent(in) :: distance         !! of the meniscus from the contact, with the thicker of both layers
+      real(dp), intent(in) :: distance  !! distance of the meniscus from the contact, with the thicker of both layers
       real(dp), intent(in) :: x_min, outlet    !! X of the inlet edge and of the place
       real(dp), intent(out) :: passed, rest    !! T
       type(gauss_rule_t) :: rule

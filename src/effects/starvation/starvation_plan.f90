@@ -21,7 +21,7 @@ module ehlwave_starvation_plan
    !> then 8 per cent off, with 0.44 40 per cent (M = 100, D = 1, r = 0.5). The film needs no such grid: with 0.7 to 1.2
    !> R is 2 per cent off, for the less oil there is the less the inlet decides.
    real(dp), parameter :: coarsest_meniscus = 0.25_dp
-   real(dp), parameter :: share_of_meniscus = 0.5_dp !! of the accuracy, for the meniscus
+   real(dp), parameter :: share_of_meniscus = 0.5_dp !! share of the accuracy for the meniscus
    real(dp), parameter :: meniscus_factor = 0.35_dp  !! see expected_meniscus_error
    real(dp), parameter :: steady_cost = 2.7_dp       !! cost of a steady state over the flooded state
                                                      !! on the way; measured: 2 to 4
@@ -29,8 +29,8 @@ module ehlwave_starvation_plan
 
    type, extends(effect_plan_t), public :: starvation_plan_t
       type(inlet_oil_t) :: oil           !! offered, where it is less than floods the contact
-      real(dp) :: before_change = 0      !! oil at Y = 0 before a change of the layer, over what is passed flooded
-      real(dp) :: distance = 0           !! of the meniscus from the contact, expected; 0: flooded
+      real(dp) :: before_change = 0  !! oil at Y = 0 before a change of the layer, over the flow of the flooded contact
+      real(dp) :: distance = 0           !! expected distance of the meniscus from the contact; 0: flooded
       real(dp) :: resolution = 0         !! hX over it, 0: flooded
    contains
       procedure, nopass :: check => check_inlet

@@ -136,7 +136,7 @@ contains
       error = self%short_edge
    end function edge_error
 
-   !> Widen the error of R as that of the film is.
+   !> Widen the error of R like the film error.
    subroutine add_own_errors(self, grid, result)
       class(starvation_result_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
@@ -151,7 +151,7 @@ contains
       end associate
    end subroutine add_own_errors
 
-   !> The part of the film is the error of R, which grids tell, as that of the film.
+   !> For the film the part is the error of R, found from grids like the film error.
    subroutine add_errors(self, k, case, plan, film, ratio)
       class(starvation_result_t), intent(in) :: self
       integer, intent(in) :: k

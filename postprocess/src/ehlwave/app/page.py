@@ -20,7 +20,7 @@ from ehlwave.errors import ResultsError, SurfaceError, printable
 _LOG = logging.getLogger("ehlwave.app")
 TITLE = "ehlwave"
 SCROLLED: dict[str, Any] = {"max-height": "max(360px, calc(100vh - 190px))", "overflow-y": "auto"}
-"""Of the fields: they scroll above the button, which covers nothing."""
+"""Style of the fields: they scroll above the button, which covers nothing."""
 
 
 class Page:

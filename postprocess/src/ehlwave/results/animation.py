@@ -48,7 +48,7 @@ def write_animation(
     path : path
         File to write. Its ending chooses the format: ``.gif`` by Pillow, ``.mp4`` by ffmpeg.
     writer : Writer, optional
-        What may be replaced; a new one by default.
+        Writer to replace; a new one by default.
     frames_per_second : float
         Speed of the film; each stored instant is one frame.
 

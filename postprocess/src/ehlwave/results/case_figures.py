@@ -23,7 +23,7 @@ REACH = 1.5
 """Largest distance from the centre that is shown, in units of a and b."""
 
 LEVELS = np.arange(0.2, 2.01, 0.2)
-"""Of lines of equal film, over the smooth central one."""
+"""Lines of equal film, over the smooth central film."""
 
 FILM_SHOWN = 2.0
 """Thickest film that is shown, over the smooth central one."""

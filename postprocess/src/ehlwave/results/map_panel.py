@@ -1,4 +1,4 @@
-"""What maps of a contact share: the colour bar beside the map, and the arrow along rolling."""
+"""Common parts of maps of a contact: the colour bar beside the map, and the arrow along rolling."""
 
 from typing import Any
 

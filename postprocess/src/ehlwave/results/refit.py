@@ -199,7 +199,7 @@ def _fit_row(
 
 
 def refit_warnings(rows: Sequence[RefitRow]) -> list[str]:
-    """Return what a reader of the fit over all points has to know, in sentences.
+    """Return notes for readers of the fit over all points.
 
     Parameters
     ----------
