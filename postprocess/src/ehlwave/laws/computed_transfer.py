@@ -42,7 +42,7 @@ TOLERANCE, STARVED_TOLERANCE = 0.01, 0.02
 contacts.
 """
 STARVED_WAVES, MOST_STARVED, FIRST_STARVED = (0.2, 4.0), 11, 5
-"""Wavelengths over a of starved contacts, their largest and their first number. A shorter wave needs
+"""Wavelengths over a of starved contacts, their largest and first number. A shorter wave needs
 a grid that takes half a minute: it is continued, and its error covers this.
 """
 STARVED_LONG, LONG_ACCURACY = 0.7, 0.2
