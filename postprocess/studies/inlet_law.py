@@ -28,6 +28,9 @@ THICKEST = 0.8
 """Film by the formula over the Hertz approach; thicker ones are rather rigid."""
 LOADINGS = (5e-3, 8.0)
 CIRCLE_SHARE, LOWEST_RATIO = 0.3, 0.03
+BEARING_LOADS, BEARING_RATIOS = (100.0, 2e4), (0.012, 0.25)
+"""M and D of contacts of rolling bearings, which roll."""
+BEARING_RADII, BEARING_HERTZ_PA = (8e-4, 2e-2), (5e8, 3.5e9)
 EVEN_SHARE, LARGEST_RATIO = 0.5, 1.9
 """Of contacts that slide: their ratio is drawn evenly, of others evenly in its logarithm."""
 LARGEST_ERROR = 0.03
@@ -60,20 +63,51 @@ def contacts(count: int, is_line: bool) -> list[Row]:
             row["radius_y_m"] = float(f"{row['radius_x_m'] / d:.4g}")
         c = conditions_from_keys(dimensional_keys(row))
         film = (c.central_film_m or math.nan) / (c.hertz_approach_c_m or math.nan)
-        loading = thermal_loading(
-            row["viscosity_pa_s"],
-            row["viscosity_temperature_per_k"],
-            row["mean_speed_m_per_s"],
-            row["oil_conductivity_w_per_m_k"],
-        )
+        loading = _loading(row)
         ranges = (LOADS[0] <= c.m <= LOADS[1], OILS[0] <= c.l <= OILS[1], film < THICKEST)
         if all(ranges) and LOADINGS[0] <= loading <= LOADINGS[1]:
             rows.append(row)
     return rows
 
 
-def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
-    """Write the sweeps of line and of elliptical contacts."""
+def bearing_contacts(count: int) -> list[Row]:
+    """Return as many heavy, slender contacts as `count`, which roll as in ball bearings."""
+    rng = np.random.default_rng(SEED + 2)
+    rows: list[Row] = []
+
+    def drawn(low: float, high: float) -> float:
+        return float(low * (high / low) ** rng.random())
+
+    while len(rows) < count:
+        row = contact(rng, is_line=False) | {"slide_to_roll_ratio": 0.0}
+        row["body2_conductivity_w_per_m_k"] = row["body_conductivity_w_per_m_k"]
+        row["radius_x_m"] = drawn(*BEARING_RADII)
+        row["radius_y_m"] = row["radius_x_m"] / drawn(*BEARING_RATIOS)
+        one = conditions_from_keys(dimensional_keys(row | {"load_n": 1.0})).hertz_pa
+        row["load_n"] = (drawn(*BEARING_HERTZ_PA) / one) ** 3
+        row = {name: float(f"{value:.4g}") for name, value in row.items()}
+        c = conditions_from_keys(dimensional_keys(row))
+        loading = _loading(row)
+        ranges = (BEARING_LOADS[0] <= c.m <= BEARING_LOADS[1], OILS[0] <= c.l <= OILS[1])
+        if all(ranges) and LOADINGS[0] <= loading <= LOADINGS[1]:
+            rows.append(row)
+    return rows
+
+
+def _loading(row: Row) -> float:
+    """Return L_t of a drawn contact."""
+    return float(
+        thermal_loading(
+            row["viscosity_pa_s"],
+            row["viscosity_temperature_per_k"],
+            row["mean_speed_m_per_s"],
+            row["oil_conductivity_w_per_m_k"],
+        )
+    )
+
+
+def write_cases(folder: Path, lines: int, points: int, bearings: int, cells: int) -> None:
+    """Write the sweeps of line contacts, of elliptical contacts and of those of bearings."""
     groups = {
         "lubricant": {"flow_law": "eyring"},
         "heat": {"oil_density_kg_per_m3": DENSITY, "oil_expansion_per_k": EXPANSION},
@@ -83,6 +117,9 @@ def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
     grid = {"x_min": -5.0, "x_max": 1.5, "y_max": 3.0, "edges": "flooded"}
     grid |= {"cells_x": cells, "cells_y": cells}
     write_sweep(folder, "points", contacts(points, is_line=False), groups | {"grid": grid})
+    grid = {"x_min": -3.0, "x_max": 1.5, "y_max": 2.0, "edges": "flooded"}
+    grid |= {"cells_x": cells, "cells_y": cells}
+    write_sweep(folder, "bearings", bearing_contacts(bearings), groups | {"grid": grid})
 
 
 def usable(folder: Path) -> pd.DataFrame:

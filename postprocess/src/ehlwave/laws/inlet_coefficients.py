@@ -21,7 +21,7 @@ ERROR_SHARE = (0.20285, 0.49694, 1.183)
 """Error over the loss and known_loss, by the sliding."""
 ERROR_SLIP = (0.2, 1.0)
 """Slide-to-roll ratios |u1 - u2|/ubar above which the next share holds."""
-M_RANGE = (4.0, 3000.0)
+M_RANGE = (4.0, 20000.0)
 """Load parameter M of the contacts of the fit."""
 L_RANGE = (2.0, 25.0)
 """Lubricant parameter L."""
@@ -31,7 +31,7 @@ LOADING_RANGE = (0.0, 8.0)
 """Thermal loading L_t."""
 KNOWN_LOSS = 0.01
 """Smallest loss that is known."""
-LOWEST_D = 0.03
+LOWEST_D = 0.012
 """Smallest D of an elliptical contact."""
 LARGEST_SLIDE_ROLL = 1.9
 """Largest |u1 - u2|/ubar."""
