@@ -1,6 +1,6 @@
 """Modules of this project's own studies: not installed, ``scripts/`` puts them on the path.
 
-``programs`` runs the programs of the build, for the tests too; the others are one study each:
+``programs`` runs the programs of the build, for the tests too; each other module is a study:
 
 - ``paper``: cases, formulas and report of ``scripts/reproduce --full``, with ``experiment`` and
   ``two_waves``;
@@ -10,7 +10,7 @@
   ``inlet_tables``, ``judged``;
 - published values that tests compare: ``published``, ``rolling``.
 
-``command`` is ``scripts/study``, which runs them all. ``section`` holds what a report is made of,
+``command`` is ``scripts/study``, which runs them all. ``section`` holds the parts of a report,
 ``html`` its page, ``sweeps`` writes and reads sweeps, ``stages`` the files of a full study,
 ``folds`` has parts of points that are left out of fits, ``work_unit`` the unit of counted work,
 ``typed_keys`` writes the types of the program's keys.

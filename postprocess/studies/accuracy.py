@@ -1,4 +1,4 @@
-"""Whether errors are what was asked for: random contacts with an accuracy, and again far finer."""
+"""Test of requested errors: random contacts with an accuracy, and again on far finer grids."""
 
 import argparse
 import math
@@ -17,7 +17,7 @@ ASKED = "asked"
 FINER = "finer"
 ACCURACY = 0.01
 SILENT = 2 * ACCURACY
-"""Errors above it have to be told by a status."""
+"""Errors above it must have a status."""
 
 WAVY_AMPLITUDE = 0.02
 ORIENTATIONS = ("transverse", "isotropic", "longitudinal", "custom")
@@ -144,7 +144,7 @@ def value(row: Row) -> float:
 
 
 def compare(folder: Path) -> list[Row]:
-    """Return every contact with its error, and what was said of it."""
+    """Return every contact with its error, and the estimated error."""
     rows = []
     asked = sweeps.read_sweep(folder, ASKED)
     for found, truth in zip(asked, sweeps.read_sweep(folder, FINER, len(asked)), strict=True):
@@ -160,7 +160,7 @@ def compare(folder: Path) -> list[Row]:
 
 
 def report(folder: Path) -> int:
-    """Print what was found and write it as a table; return 1 if too much is off."""
+    """Print the results and write them as a table; return 1 if too much is off."""
     rows = compare(folder)
     sweeps.write_rows(folder / "accuracy.csv", rows)
     judged = [row for row in rows if row["truth"] == "converged"]

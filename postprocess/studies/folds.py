@@ -17,7 +17,7 @@ SEED = 20000
 
 
 def grouped_folds(condition: NDArray[np.intp], count: int = FOLDS, seed: int = SEED) -> list[Mask]:
-    """Return the test sets of ``count`` folds; a condition is in one of them with all its points.
+    """Return the test sets of ``count`` folds; all points of a condition are in the same set.
 
     Raises ValueError if there are fewer conditions than folds.
     """

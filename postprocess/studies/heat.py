@@ -51,28 +51,28 @@ EVEN_RANGES = {
 }
 ROLLING_SHARE = 0.3
 UNLIKE_SHARE = 0.3
-"""Of contacts whose second body conducts otherwise."""
+"""Share of contacts with unlike conductivities."""
 WIDE_RADII, WIDE_UNLIKE_SHARE = (4e-3, 1e-1), 0.5
-"""Of the contacts of this study."""
+"""Ranges of the contacts of this study."""
 LINE_CELLS = 12
-"""Cells of a line contact over those of a point contact."""
+"""Cells of a line contact over the cells of a point contact."""
 FITTED_LOADING = 4.0
 """Largest L_t of the contacts that the laws are fitted to."""
 LOADS, OILS = (5.0, 1500.0), (2.0, 20.0)
 """M and L of the contacts that are taken."""
 DENSITY, EXPANSION = 870.0, 7e-4
 FOLDS = 20
-"""Of contacts, each of which is predicted by a fit to the others."""
+"""Parts of the contacts, each predicted by a fit to the others."""
 ROBUST = {"loss": "soft_l1", "f_scale": 0.03}
 """How laws are fitted."""
 LARGEST_ERROR = 0.03
-"""Of films and friction of computed contacts; coarser ones are left out."""
+"""Error of films and friction of computed contacts; coarser contacts are left out."""
 THICKEST = 0.4
-"""Film by the formula over the Hertz approach; thicker ones are rather rigid."""
+"""Film by the formula over the Hertz approach; thicker films are rather rigid."""
 
 
 def contact(rng: np.random.Generator, is_line: bool, is_wide: bool = False) -> Row:
-    """Return one contact drawn from the ranges, or the wide ones; of a point D besides."""
+    """Return a contact drawn from the ranges, or the wide ranges; for a point contact also D."""
     radii = {"radius_x_m": WIDE_RADII} if is_wide else {}
     unlike = WIDE_UNLIKE_SHARE if is_wide else UNLIKE_SHARE
     row: Row = {
@@ -94,7 +94,7 @@ def contact(rng: np.random.Generator, is_line: bool, is_wide: bool = False) -> R
 
 
 def dimensional_keys(row: Mapping[str, float]) -> dict[str, float]:
-    """Return what conditions are given by."""
+    """Return the keys of conditions."""
     names = (
         *("radius_x_m", "radius_y_m", "reduced_modulus_pa", "load_n", "load_n_per_m"),
         *("mean_speed_m_per_s", "viscosity_pa_s", "slide_to_roll_ratio", "eyring_stress_pa"),
@@ -104,7 +104,7 @@ def dimensional_keys(row: Mapping[str, float]) -> dict[str, float]:
 
 
 def contacts(count: int, is_line: bool) -> list[Row]:
-    """Return as many contacts as `count` whose M, L and film are those of the laws."""
+    """Return as many contacts as `count` whose M, L and film are in the range of the laws."""
     rng = np.random.default_rng(38 + is_line)
     rows: list[Row] = []
     while len(rows) < count:
@@ -132,7 +132,7 @@ def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
 
 
 def usable(folder: Path) -> pd.DataFrame:
-    """Return the contacts that converged on a grid that resolves them, with what laws take."""
+    """Return the contacts that converged on a grid that resolves them, with the input of laws."""
     rows = []
     for name in ("lines", "points"):
         pairs = zip(read_sweep(folder, name), read_sweep(folder, f"{name}_cold"), strict=True)
@@ -149,7 +149,7 @@ def usable(folder: Path) -> pd.DataFrame:
 
 
 def _compared(case: Row, ratio: float) -> Row:
-    """Return what laws take of a contact, and what they are compared with."""
+    """Return the input of laws for a contact, and the values to compare."""
     given = dimensional_keys(
         {k: v for k, v in case.items() if not (isinstance(v, float) and math.isnan(v))}
     )
@@ -188,7 +188,7 @@ def _compared(case: Row, ratio: float) -> Row:
 
 
 def _sheared(c: Conditions, heat: Heat, tau0: float, film_m: float, warm_m: float) -> Row:
-    """Return friction of the even film, with and without heat, and what its factor takes."""
+    """Return friction of the even film, with and without heat, and the input of its factor."""
     cold = shear_isothermal(sliding_film(c, tau0, film_m))
     warm = shear_warm(sliding_film(c, tau0, warm_m), heat)
     found: Row = {"modelled_rise_k": warm.rise_mid_film_k}
@@ -280,7 +280,7 @@ def _row(law: str, best: Floats | None, errors: Floats) -> Row:
 def _draw(
     folder: Path, table: pd.DataFrame, inlet: Floats, both: pd.DataFrame, errors: Floats
 ) -> None:
-    """Draw films and friction of the laws beside computed ones."""
+    """Draw films and friction of the laws beside computed values."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4.2), layout="constrained")
     left.plot([0.2, 1], [0.2, 1], color="0.7")
     left.scatter(gupta(table), table["film"], s=7, color="0.6", label="Gupta and others")

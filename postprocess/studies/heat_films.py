@@ -21,7 +21,9 @@ PACKAGE = Path(__file__).resolve().parents[1] / "src/ehlwave/laws/warm_films.jso
 STEPS = np.array([0.004, 0.006, 0.008, 0.012, 0.016, 0.02, 0.03]), np.linspace(0.0, 0.5, 51)
 MOST_WARM_STEPS = np.linspace(0, 0.2, 21)
 LEAST_BY_LOSS = 0.2
-"""Of e1 of smallest films: heavy lines are fewer in the sample than their error asks for."""
+"""Least weight of e1 of smallest films: heavy lines are fewer in the sample than their error
+requires.
+"""
 WITHIN, FAR, MOST_FAR = 0.955, 1.5, 0.01
 """Share of each kind of contact within the error, and at most so many beyond so many times."""
 

@@ -1,4 +1,4 @@
-"""Sections as one self-contained HTML page: tables as text, figures inside the file."""
+"""Sections as a self-contained HTML page: tables as text, figures inside the file."""
 
 import base64
 from collections.abc import Sequence
@@ -27,7 +27,7 @@ summary { cursor: pointer; font-size: 13px; }
 
 
 def write_page(output: Path, name: str, title: str, sections: Sequence[Section]) -> list[Path]:
-    """Write ``<name>.html`` beside what the sections wrote into `output`; return all paths."""
+    """Write ``<name>.html`` beside the files of the sections in `output`; return all paths."""
     path = output / f"{name}.html"
     Writer().text(path, page(title, sections, output / "figures"))
     return [path, *(file for section in sections for file in section.files)]

@@ -25,32 +25,32 @@ SEED = 52
 LOADS, OILS = (4.0, 3000.0), (2.0, 25.0)
 """M and L of the contacts that are taken."""
 THICKEST = 0.8
-"""Film by the formula over the Hertz approach; thicker ones are rather rigid."""
+"""Film by the formula over the Hertz approach; thicker films are rather rigid."""
 LOADINGS = (5e-3, 8.0)
 CIRCLE_SHARE, LOWEST_RATIO = 0.3, 0.03
 BEARING_LOADS, BEARING_RATIOS = (100.0, 2e4), (0.012, 0.25)
 """M and D of contacts of rolling bearings, which roll."""
 BEARING_RADII, BEARING_HERTZ_PA = (8e-4, 2e-2), (5e8, 3.5e9)
 EVEN_SHARE, LARGEST_RATIO = 0.5, 1.9
-"""Of contacts that slide: their ratio is drawn evenly, of others evenly in its logarithm."""
+"""Sliding contacts: this share is even in the ratio, the others are even in its logarithm."""
 LARGEST_ERROR = 0.03
-"""Of films of computed contacts; coarser ones are left out."""
+"""Error of films of computed contacts; coarser contacts are left out."""
 FOLDS = 20
 SHARE_WITHIN = 95
 """Percentage of contacts within the error."""
 KNOWN = 0.01
-"""Of a film factor: losses are fitted to a share of themselves and so much besides."""
+"""Uncertainty of a film factor: losses are fitted with a relative weight plus this."""
 ROBUST = {"loss": "soft_l1", "f_scale": 1.0}
 ERROR_SLIP = (0.2, 1.0)
 """Slide-to-roll ratios above which the error has another share of the loss."""
 START = (0.25, 0.92, 1.0, 2.1, 6.1, 0.8, 0.3, -0.8, -1.8, 5.0)
 OF_CONDITIONS = ("roelands_index", "pressure_viscosity_per_pa")
 COLUMNS = ("loading", "slide_to_roll_ratio", "wall", "film_over_approach", "radius_ratio_d")
-"""What the law takes."""
+"""Input of the law."""
 
 
 def contacts(count: int, is_line: bool) -> list[Row]:
-    """Return as many contacts as `count`, drawn as those of ``studies.heat``, rounder ones too."""
+    """Return `count` contacts, drawn as in ``studies.heat``, also rounder contacts."""
     rng = np.random.default_rng(SEED + is_line)
     rows: list[Row] = []
     while len(rows) < count:
@@ -123,7 +123,7 @@ def write_cases(folder: Path, lines: int, points: int, bearings: int, cells: int
 
 
 def usable(folder: Path) -> pd.DataFrame:
-    """Return what the law takes of the contacts that converged on a grid that resolves them."""
+    """Return the input of the law for contacts that converged on a resolving grid."""
     rows = []
     for name in ("lines", "points"):
         for case in read_sweep(folder, name):

@@ -20,9 +20,10 @@ USUAL = {
     "usual_beta": ("0.04", "-d ln(eta)/dT of usual oils, 1/K"),
     "usual_effusivity": ("13000.0", "effusivity (k rho c)^(1/2) of steel, W s^(1/2)/(m2 K)"),
 }
-"""Of mineral oils and PAO (conductivity 0.12 to 0.15 W/(m K), viscosity falling by 3 to 6 % for a
-kelvin near 40 C; Hamrock, Schmid and Jacobson, Fundamentals of Fluid Film Lubrication, 2nd ed.,
-2004, chapter 4) and of bearing steel (46 W/(m K), 7800 kg/m3, 470 J/(kg K))."""
+"""Properties of mineral oils and PAO (conductivity 0.12 to 0.15 W/(m K), viscosity falling by 3 to
+6 % for a kelvin near 40 C; Hamrock, Schmid and Jacobson, Fundamentals of Fluid Film Lubrication,
+2nd ed., 2004, chapter 4) and of bearing steel (46 W/(m K), 7800 kg/m3, 470 J/(kg K)).
+"""
 LISTS = {
     "coefficients": ("c{}", 10, "coefficients c1 to c10"),
     "error_share": ("error_share_{}", 3, "error over the loss and known_loss, by the sliding"),
@@ -122,7 +123,7 @@ def write_tables(record: Path, folder: Path | None = None) -> None:
     record : Path
         law.csv of ``scripts/study inlet``.
     folder : Path, optional
-        Where to; by default each table replaces the present one.
+        Destination; by default each table replaces the present one.
     """
     for name, text in tables(record).items():
         Writer(overwrite=True).text((folder or HOMES[name]) / name, text)

@@ -1,7 +1,7 @@
-"""One contact by this program and by public solvers, each as its authors wrote it.
+"""A contact by this program and by public solvers, each unchanged.
 
-The contact is the smooth one of Mourier and others (2006), which EHL-FBNS comes with. What is run
-of other solvers is copied to a folder that goes again; nothing is written where they are.
+The contact is the smooth case of Mourier and others (2006), an example of EHL-FBNS. Other solvers
+run in a temporary copy; their own folders stay unchanged.
 """
 
 import json
@@ -108,7 +108,7 @@ def timed(command: Sequence[object], folder: Path, limit: float) -> Found:
 def fbns(folder: Path, cells: int, limit: float) -> Found:
     """Run EHL-FBNS in GNU Octave: its Study A, steady, with QUICK, on so many cells.
 
-    Octave wants functions of scripts in files of their own and has no ``compose``.
+    Octave needs functions of scripts in files of their own and lacks ``compose``.
     """
     octave = shutil.which("octave-cli")
     if octave is None:

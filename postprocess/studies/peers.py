@@ -1,4 +1,4 @@
-"""The command behind ``scripts/study peers``: one contact by this program and by public solvers."""
+"""The command behind ``scripts/study peers``: a contact by this program and by public solvers."""
 
 import argparse
 import sys
@@ -31,7 +31,7 @@ Run = Callable[[int], Found]
 
 @dataclass(frozen=True)
 class Row:
-    """One run: film in um (of the book H), and its distance from that for mesh size 0.
+    """A run: film in um (of the book H), and its distance from the film at mesh size 0.
 
     ``times`` is the time of another solver in units of ``at_equal_error``.
     """
@@ -47,7 +47,7 @@ class Row:
 
 
 def solvers(options: argparse.Namespace) -> Iterator[tuple[str, str, Run]]:
-    """Yield contact, name and run of each solver that is there; say which are skipped."""
+    """Yield contact, name and run of each available solver; report skipped solvers."""
     limit = options.limit or HOUR_S
     quick_book = partial(peer_runs.book, coarsest=QUICK)
     peers = (
@@ -75,7 +75,7 @@ def solvers(options: argparse.Namespace) -> Iterator[tuple[str, str, Run]]:
 
 
 def limit_of(contact: str, cells: int) -> float:
-    """Return the film for mesh size 0, from a grid of so many cells and one of half as many."""
+    """Return the film for mesh size 0, from grids of so many and half as many cells."""
     run = partial(peer_runs.ehlwave, BOOK if contact == "book" else mourier())
     coarse, fine = (run(n)[0] for n in (cells // 2, cells))
     return fine + (fine - coarse) / (2**ORDER - 1)
@@ -84,7 +84,7 @@ def limit_of(contact: str, cells: int) -> float:
 def measure(
     table: Iterator[tuple[str, str, Run]], cells: Sequence[int], limits: Callable[[str], float]
 ) -> Iterator[Row]:
-    """Run every solver on every grid; one that fails or takes too long runs on no finer one."""
+    """Run every solver on every grid; after a failure or timeout it runs on no finer grid."""
     known: dict[str, float] = {}
     for contact, solver, run in table:
         if contact not in known:
@@ -105,7 +105,7 @@ def at_equal_error(row: Row, rows: Sequence[Row]) -> float | None:
 
 
 def compared(rows: Sequence[Row]) -> Iterator[Row]:
-    """Yield the rows, those of other solvers with how many times as long they take."""
+    """Yield the rows, with the relative times of other solvers."""
     for row in rows:
         own = None if row.solver.startswith("ehlwave") else at_equal_error(row, rows)
         yield row if own is None else replace(row, times=row.seconds / own)

@@ -1,7 +1,7 @@
 """Run the programs of the build, for studies and tests; the standard library is all it needs.
 
-``EHLWAVE_CASE``, ``EHLWAVE_SWEEP`` and ``EHLWAVE_MPIEXEC`` name other programs than those of the
-release build and ``mpiexec``.
+``EHLWAVE_CASE``, ``EHLWAVE_SWEEP`` and ``EHLWAVE_MPIEXEC`` override the programs of the release
+build and ``mpiexec``.
 """
 
 import functools
@@ -40,7 +40,7 @@ def program(name: str) -> Path:
 
 
 def mpi_command(ranks: int) -> list[str]:
-    """Return what starts that many ranks on this machine, more than it has cores if need be."""
+    """Return the command that starts so many ranks, more than the machine has cores if need be."""
     return [_mpiexec(), "-n", str(ranks), *(_OPEN_MPI_ARGUMENTS if is_open_mpi() else ())]
 
 
@@ -56,7 +56,7 @@ def is_open_mpi() -> bool:
 
 
 def paper_edges(groups: Groups) -> Groups:
-    """Return the groups with P = 0 at the edges of the domain unless they say which edges.
+    """Return the groups with P = 0 at the edges of the domain unless they set the edges.
 
     The paper, the reference values of the tests and the records of the studies have it so.
     """
@@ -113,12 +113,12 @@ def last_line(outcome: Outcome) -> Any:  # noqa: ANN401 - an object as JSON has 
     return json.loads(outcome.stdout.rstrip("\n").split("\n")[-1], parse_constant=_not_json)
 
 
-def solve(**groups: Any) -> dict[str, Any]:  # noqa: ANN401 - groups, or one of m, l, d
-    """Return the result of one case that has to converge, see `paper_edges`.
+def solve(**groups: Any) -> dict[str, Any]:  # noqa: ANN401 - groups, or m, l, d
+    """Return the result of a case that has to converge, see `paper_edges`.
 
-    ``m``, ``l`` (12.05 if absent) and ``d`` may stand for the keys of ``conditions``.
+    ``m``, ``l`` (12.05 if absent) and ``d`` may replace the keys of ``conditions``.
 
-    Raises AssertionError if it does not; the message has the input and what the program said.
+    Raises AssertionError if it does not; the message has the input and the program's message.
     """
     if "m" in groups:
         moes = {

@@ -33,7 +33,7 @@ class Table:
     is_long: bool = False
 
     def __post_init__(self) -> None:
-        """Raise ValueError if two columns share a heading: readers would take one for the other."""
+        """Raise ValueError if two columns share a heading: readers would confuse them."""
         if not self.data.columns.is_unique:
             raise ValueError(f"{self.name}: {list(self.data.columns)}")
 
@@ -49,7 +49,7 @@ class Picture:
 
 @dataclass
 class Section:
-    """One part of the report: paragraphs of plain text, then tables, then figures."""
+    """A part of the report: paragraphs of plain text, then tables, then figures."""
 
     title: str
     text: list[str] = field(default_factory=list)
@@ -60,13 +60,13 @@ class Section:
 
 
 Parts = Sequence[tuple[str, Callable[[Path], Section]]]
-"""Names of the parts of a report, and what makes each of the files in a folder."""
+"""Names of the parts of a report, and the function that makes each of the files in a folder."""
 
 
 def make_sections(
     parts: Parts, folder: Path, output: Path, note: Callable[[str], None], processes: int = 1
 ) -> list[Section]:
-    """Return the section of every part, written to `output`; `note` is told what is being made.
+    """Return the section of every part, written to `output`; `note` receives progress messages.
 
     Parts that only read may be made in several processes, side by side.
     """
@@ -85,7 +85,7 @@ def _make(make: Callable[[Path], Section], folder: Path, output: Path) -> Sectio
 
 
 def write_section(section: Section, output: Path) -> Section:
-    """Write ``tables/*.csv`` and ``figures/*`` into `output`; return what is left of a section."""
+    """Write ``tables/*.csv`` and ``figures/*`` into `output`; return the rest of a section."""
     tables, figures = output / "tables", output / "figures"
     files = write_parts(section, tables, figures)
     pictures = [replace(picture, figure=None) for picture in section.pictures]

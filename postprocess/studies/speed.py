@@ -21,7 +21,7 @@ Answer = dict[str, float | str | None]
 
 @dataclass(frozen=True)
 class Row:
-    """One line of the table."""
+    """A line of the table."""
 
     work: str
     method: str
@@ -47,7 +47,7 @@ UNITS = "work_units", "counted_work_units"
 def case_groups(
     cells: int, method: str, waves: Mapping[str, object] | None = None, **solver: object
 ) -> Groups:
-    """Return an input of ``ehlwave-case``; further keys are those of ``&solver``."""
+    """Return an input of ``ehlwave-case``; further keys belong to ``&solver``."""
     usual = {"method": method, "deformation": "fft", "error_estimate": "model"}
     return {
         "conditions": CONTACT,
@@ -120,12 +120,12 @@ def both_grids(run: Callable[[Groups], Answer], method: str) -> tuple[Answer, An
 
 
 def apart(one: Answer, other: Answer, name: str) -> float:
-    """Return how far a number of one answer is off that of the other, relative."""
+    """Return the relative difference of a number between two answers."""
     return abs(number(one, name) / number(other, name) - 1)
 
 
 def growth(method: str, coarse: Answer, fine: Answer, *errors: float) -> Row:
-    """Return how much longer the fine grid takes; the errors are those of `Row`."""
+    """Return the relative time of the fine grid; errors as in `Row`."""
     of_units = float(convolutions(FINE) / convolutions(COARSE))
     counted = number(fine, UNITS[1]) / number(coarse, UNITS[1]) * of_units
     timed = number(fine, "seconds") / number(coarse, "seconds")

@@ -1,4 +1,4 @@
-"""The files of a full study and what its sections take from them."""
+"""The files of a full study and the data of its sections."""
 
 from pathlib import Path
 
@@ -14,7 +14,7 @@ POINT = (*CONDITION, "wavelength_x_over_a", "wavelength_y_over_a")
 
 
 def read_stage(folder: Path, name: str) -> xr.Dataset:
-    """Return the results of one sweep of the study.
+    """Return the results of a sweep of the study.
 
     Raises ResultsError if the sweep has not been run, or not to its end.
     """
@@ -43,7 +43,7 @@ def read_stages(folder: Path) -> pd.DataFrame:
 
 
 def by_point(points: xr.Dataset) -> pd.DataFrame:
-    """Return the points as rows, by what tells them apart: orientation, M, L, D, wavelengths.
+    """Return the points as rows, by their identifying columns: orientation, M, L, D, wavelengths.
 
     The numbers of this index are rounded to six digits: files may hold them in other last bits.
     """

@@ -28,7 +28,7 @@ WAVES = (
     *((orientation, wave) for orientation in ("isotropic", "longitudinal") for wave in (0.5, 1.0)),
 )
 SAMPLES = 200
-"""Of contacts, drawn again, for the intervals."""
+"""Resamples of contacts for the intervals."""
 
 
 def contacts(count: int, low: Sequence[float], high: Sequence[float]) -> list[Row]:
@@ -71,7 +71,7 @@ def write_cases(folder: Path, count: int, cells: int) -> None:
 def usable(rows: list[Row], *, is_flooded: bool = False) -> dict[str, Floats]:
     """Return the columns of the cases that converged and whose meniscus is inside the domain.
 
-    Or of those that are flooded: their film over that of the flooded contact is 1.
+    Or the flooded contacts: their film over the flooded film is 1.
     """
 
     def counts(row: Row) -> bool:
@@ -98,7 +98,7 @@ def film_law(c: dict[str, Floats]) -> Law:
 
 
 def constant_law(c: dict[str, Floats]) -> Law:
-    """Return R with one g."""
+    """Return R with a common g."""
     return lambda p: power_ratio(1 / c["oil_over_flooded"], p[0])
 
 
@@ -211,7 +211,7 @@ def _draw_films(panels: Sequence[Axes], films: dict[str, Floats], best: Floats) 
 def _draw_waves(
     panels: Sequence[Axes], waves: dict[str, Floats], flooded: dict[str, Floats], p: Floats
 ) -> None:
-    """Flooded and starved contacts: apart over x, on one curve over x with the power of R."""
+    """Flooded and starved contacts: apart over x, on a single curve over x with the power of R."""
     for axes, power in zip(panels, (0.0, 1.0), strict=True):
         for c, marker in ((waves, "o"), (flooded, "x")):
             x, n, along = wave_parameters(c)

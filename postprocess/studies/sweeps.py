@@ -24,7 +24,7 @@ def write_sweep(
 ) -> Path:
     """Write ``name``.nml and the CSV file of its cases; return the path of the former.
 
-    The edges of the domain are those of the paper unless the groups say which.
+    The edges of the domain are the paper's unless the groups set them.
 
     Parameters
     ----------
@@ -33,9 +33,9 @@ def write_sweep(
     name : str
         Of the files.
     rows : iterable of mappings
-        Values of each case by key; what a row lacks is an empty cell, which leaves the default.
+        Values of each case by key; missing values are empty cells, which leave the default.
     groups : mapping
-        What all cases share, by group and key; ``sweep`` may hold further keys of that group.
+        Shared keys of all cases, by group and key; ``sweep`` may hold further keys of that group.
     """
     write_rows(folder / f"{name}.csv", rows)
     # A relative path counts from the folder in which the program is started.
@@ -49,7 +49,7 @@ def write_sweep(
 
 
 def read_sweep(folder: Path, name: str, cases: int | None = None) -> list[Row]:
-    """Return the cases of a sweep in the order of its rows; NaN is what a case has no number for.
+    """Return the cases of a sweep in the order of its rows; NaN for missing numbers.
 
     Raises ResultsError if it has not been run, or has another number of cases than `cases`.
     """
@@ -70,26 +70,27 @@ def fields_file(folder: Path, name: str, row: Row) -> Path:
 def surface_file(folder: Path, surface: Surface) -> Path:
     """Return where a surface is for the simulation.
 
-    A sweep knows a case by its input, in which the surface is a path: the name tells heights apart.
+    A sweep identifies a case by its input, in which the surface is a path: the name identifies the
+    heights.
     """
     heights = hashlib.sha256(surface.height.tobytes() + str(surface.step_x_m).encode())
     return folder / f"{Path(surface.name).stem}-{heights.hexdigest()[:8]}.h5"
 
 
 def write_surface(folder: Path, surface: Surface, repeats: int = 1) -> Path:
-    """Write a surface, so many times one behind the other, and return its path."""
+    """Write a surface, repeated so many times, and return its path."""
     path = surface_file(folder, surface)
     write_simulation_surface(simulation_surface(surface, "none", repeats), path)
     return path
 
 
 def flat(groups: Groups) -> Row:
-    """Return the keys of all groups as one row of a CSV file."""
+    """Return the keys of all groups as a row of a CSV file."""
     return {key: value for keys in groups.values() for key, value in keys.items()}
 
 
 def write_rows(path: Path, rows: Iterable[Mapping[str, object]], digits: int = 0) -> None:
-    """Write rows as CSV, their keys as columns; NaN and what a row lacks become empty cells.
+    """Write rows as CSV, their keys as columns; NaN and missing values become empty cells.
 
     Numbers have so many `digits`, or all of them.
     """

@@ -21,14 +21,14 @@ from studies.sweeps import run_command, write_rows
 
 TIME_STEPS = 32
 LENGTH = 4.0
-"""Of the default domain along X: a step in time is as long as a cell."""
+"""Length of the default domain along X: a step in time is as long as a cell."""
 ROOTS, ROUNDS = 2**21, 200
-"""Square roots, and how often: a loop that shares nothing, for what the machine itself has."""
+"""Square roots, and repetitions: an independent loop, for the limit of the machine itself."""
 
 
 @dataclass(frozen=True)
 class Row:
-    """One line of the table; seconds are those of the fastest runs."""
+    """A line of the table; seconds of the fastest runs."""
 
     work: str
     cells: int
@@ -36,7 +36,9 @@ class Row:
     one_run_s: float
     runs_side_by_side_s: float
     share: float
-    """Throughput of one run on all threads, over that of as many runs with one thread each."""
+    """Throughput of one run on all threads, over the throughput of as many runs with one thread
+    each.
+    """
 
 
 Run = Callable[[Groups], Answer]
@@ -67,7 +69,7 @@ Seconds = Callable[[], float]
 
 
 def _row(work: str, cells: int, threads: int, shared: Seconds, apart: Seconds, repeats: int) -> Row:
-    """Take the fastest of what is shared and of what runs side by side, measured by turns."""
+    """Take the fastest of shared and of simultaneous runs, measured in turn."""
     seconds = [(shared(), apart()) for _ in range(repeats)]
     one, many = map(min, zip(*seconds, strict=True))
     return Row(work, cells, threads, one, many, many / one / threads)

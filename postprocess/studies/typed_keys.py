@@ -1,6 +1,7 @@
 """Write the keys of the program as types, for editors and type checkers.
 
-python -m studies.typed_keys   writes src/ehlwave/inputs/keys.py from ehlwave-case --keys --json
+python -m studies.typed_keys   writes src/ehlwave/inputs/keys.py and key_table.py from
+                               ehlwave-case --keys --json
 """
 
 import sys
@@ -13,6 +14,7 @@ from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.writing import Writer
 
 PLACE = Path(__file__).parents[1] / "src" / "ehlwave" / "inputs" / "keys.py"
+TABLE_PLACE = PLACE.with_name("key_table.py")
 TYPES = {"number": "SupportsFloat", "whole": "SupportsIndex", "truth": "bool", "word": "str"}
 WIDTH = 100
 
@@ -31,6 +33,19 @@ if TYPE_CHECKING:
     from ehlwave.inputs.surfaces import SurfaceLike, TopographyLike
 
 Text = str | PathLike[str]
+'''
+
+TABLE = '''\
+"""Key table of the programs. Written by ``python -m studies.typed_keys``: do not edit."""
+
+from ehlwave.inputs.key import Key
+
+KEYS: dict[str, Key] = {{
+{rows}}}
+"""Keys in the order of the table."""
+
+GROUP_OF = {{name: key.group for name, key in KEYS.items()}}
+"""Group of each key in a file."""
 '''
 
 CLASS = '''
@@ -61,10 +76,37 @@ def module(keys: Sequence[dict[str, Any]]) -> str:
     text = "Keys of :class:`ehlwave.Contact`."
     parts.append(CLASS.format(name="ContactKeys", base="TypedDict", text=text))
     parts += [_member(name, key) for name, key in contact.items()]
-    parts.append("\n\nGROUP_OF = {\n")
-    parts += [f'    "{name}": "{key["group"]}",\n' for name, key in known.items()]
-    parts.append('}\n"""Group of each key in a file."""\n')
     return "".join(parts)
+
+
+def table(keys: Sequence[dict[str, Any]]) -> str:
+    """Return the text of the module with the key table, from the same rows."""
+    rows = "".join(_row(str(key["name"]), key) for key in keys)
+    return TABLE.format(rows=rows)
+
+
+def _row(name: str, key: dict[str, Any]) -> str:
+    """Return a row of the key table."""
+    words = [repr(key["group"]), repr(key["kind"])]
+    short = name.removesuffix("_2") if key["group"].endswith("2") else ""
+    more = {"unit": "" if key["unit"] == "1" else key["unit"]}
+    more |= {bound: key[bound] for bound in ("above", "minimum", "maximum")}
+    more |= {"choices": tuple(key["choices"]), "short": short}
+    given = {name: value for name, value in more.items() if not _is_nothing(value)}
+    words += [f"{name}={_number(value)}" for name, value in given.items()]
+    words = [word.replace("'", '"') for word in words]
+    if len(line := f'    "{name}": Key({", ".join(words)}),\n') <= WIDTH:
+        return line
+    lines = "".join(f"        {word},\n" for word in words)
+    return f'    "{name}": Key(\n{lines}    ),\n'
+
+
+def _is_nothing(value: Any) -> bool:  # noqa: ANN401 - of a table
+    return value is None or value in ("", ()) or value != value
+
+
+def _number(value: Any) -> str:  # noqa: ANN401 - of a table
+    return f"{value:.15g}" if isinstance(value, (int, float)) else repr(value)
 
 
 def _member(name: str, key: dict[str, Any]) -> str:
@@ -96,8 +138,9 @@ def main(arguments: Sequence[str] = ()) -> int:
     if arguments:
         print(__doc__)
         return 2
-    text = module(key_table().to_dict("records"))  # type: ignore[arg-type]
-    Writer(overwrite=True).text(PLACE, text)
+    rows: Any = key_table().to_dict("records")
+    for place, text in ((PLACE, module(rows)), (TABLE_PLACE, table(rows))):
+        Writer(overwrite=True).text(place, text)
     return 0
 
 

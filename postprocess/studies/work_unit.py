@@ -5,9 +5,9 @@ from numpy.typing import ArrayLike, NDArray
 
 
 def convolutions(cells: ArrayLike) -> NDArray[np.float64]:
-    """Return the work unit of grids of as many cells along each side in those of 256 by 256 cells.
+    """Return the work unit of grids of as many cells along each side in units of 256 by 256 cells.
 
-    A unit is one zero-padded convolution by FFT, counted as n log n (src/elastic/work_unit.f90).
+    A unit is a zero-padded convolution by FFT, counted as n log n (src/elastic/work_unit.f90).
     """
     points, usual = (2.0 * np.asarray(cells)) ** 2, 512.0**2
     return np.asarray(points * np.log2(points) / (usual * np.log2(usual)))

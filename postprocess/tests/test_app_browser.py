@@ -28,7 +28,7 @@ if chromium.PROGRAM is None:
 
 Use = Callable[[Chromium, list[str]], Awaitable[None]]
 Browse = Callable[[Use], list[str]]
-"""Use a browser, a list of what its proxy is asked for as it is asked; return that list."""
+"""Use a browser and its proxy; return the list of requests, filled as they come."""
 
 SESSIONS = 20 if os.environ.get("EHLWAVE_LONG_TESTS") else 4
 

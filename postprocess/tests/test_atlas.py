@@ -17,7 +17,7 @@ from ehlwave.laws.atlas.kinds import KINDS, Kind
 from ehlwave.laws.atlas.ranges import THICKEST_FILM, THINNEST_FILM
 from ehlwave.laws.atlas.shape import Shape
 from ehlwave.laws.atlas.stored import AS_STORED, checksum, committee_of
-from ehlwave.laws.atlas_transfer import AtlasTransfer, with_atlas_film
+from ehlwave.laws.atlas_transfer import AtlasTransfer
 from ehlwave.surface import trace_surface
 from studies.atlas.fit import OF_ERRORS
 from studies.atlas.losses import Errors, Films, Waves, part
@@ -258,11 +258,9 @@ def test_waves_outside_are_continued_and_counted_in_the_error() -> None:
 
 def test_the_film_of_the_atlas_takes_the_place_of_the_formula_but_not_of_a_given_one() -> None:
     conditions = ehlwave.Contact(**MOES, **LENGTHS).conditions
-    atlas = with_atlas_film(conditions)
-    assert atlas.film_source.startswith("atlas")
-    assert atlas.central_film_m == conditions.central_film_m
+    assert conditions.film_source.startswith("atlas")
     contact = ehlwave.Contact(**MOES, **LENGTHS, central_film_m=1e-7)
-    given, film = with_atlas_film(contact.conditions), contact.film()
+    given, film = contact.conditions, contact.film()
     assert given.central_film_m == film.central_m == 1e-7
     assert film.central_moes == pytest.approx(1e-7 / given.metres_per_moes)
     assert film.central_error == given.central_film_error == 0

@@ -9,9 +9,9 @@ import pytest
 from contact import EXPERIMENT, experiment
 from synthetic import written_names
 
+import ehlwave
 from ehlwave.cli import main
 from ehlwave.contact.formula import amplitude_ratio_formula, recommended_ratio
-from ehlwave.laws.atlas_transfer import with_atlas_film
 
 Capture = pytest.CaptureFixture[str]
 CONDITIONS = ["--conditions", *(f"{key}={value}" for key, value in EXPERIMENT.items())]
@@ -49,7 +49,7 @@ def test_deform_writes_profile_spectrum_report_and_figures(tmp_path: Path, capsy
     table = np.genfromtxt(output / "deformed.csv", delimiter=",", names=True)
     ratio = amplitude_ratio_formula(60e-6 * experiment().v_per_wavelength)
     np.testing.assert_allclose(table["deformed_um"], ratio * table["height_um"], atol=1e-9)
-    film = with_atlas_film(experiment()).central_film_m * 1e6
+    film = ehlwave.Contact(**EXPERIMENT).film().central_m * 1e6
     np.testing.assert_allclose(table["film_um"], film - table["deformed_um"], atol=1e-8)
     spectrum = np.genfromtxt(
         output / "spectrum.csv", delimiter=",", names=True, dtype=None, encoding=None

@@ -16,13 +16,14 @@ LAWS = {
     "RecommendedTransfer",
     "ShearedRidges",
     "StandingRidges",
+    "FormulaTransfer",
     "StarvedTransfer",
+    "TableTransfer",
     "TwoWaveTransfer",
     "WarmTransfer",
     "chart_of",
     "computed_film",
     "film_of",
-    "with_atlas_film",
 }
 """Constructors and functions that are answers of a law; only the room of the laws calls them."""
 

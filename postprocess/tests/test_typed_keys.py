@@ -68,6 +68,8 @@ def test_types_are_those_of_the_program() -> None:
         pytest.skip("the programs are not built")
     text = typed_keys.module(key_table().to_dict("records"))
     assert typed_keys.PLACE.read_text() == text, "run python -m studies.typed_keys"
+    rows = typed_keys.table(key_table().to_dict("records"))
+    assert typed_keys.TABLE_PLACE.read_text() == rows, "run python -m studies.typed_keys"
     assert set(key_table()["name"]) == set(CaseKeys.__annotations__)
 
 

@@ -8,9 +8,9 @@
 #        scripts/install-requirements --check && scripts/build native
 #    (native wants a login node with the processors of the compute nodes; else build release.)
 # 2. How many cases, on which grids:   ehlwave-sweep SWEEP.nml --plan
-# 3. Edit what is marked, submit. What is done, what is left:   ehlwave-sweep --status results.h5
+# 3. Edit the marked lines, submit. Progress:   ehlwave-sweep --status results.h5
 #
-# What to expect: scripts/batch/job. PBS shows the log (ehlwave.oJOB) when the job ends; "qsub -k oed" on most systems
+# Behaviour: scripts/batch/job. PBS shows the log (ehlwave.oJOB) when the job ends; "qsub -k oed" on most systems
 # lets you follow it.
 
 # EDIT HERE: nodes, cores, memory, time. mpiprocs is the number of ranks on a node. Torque: -l nodes=2:ppn=16
@@ -36,7 +36,7 @@ time_limit=3:50:00
 # EDIT HERE if your MPI was built without PBS ("not enough slots", or all ranks on one node):
 # export EHLWAVE_LAUNCHER="mpirun --hostfile $PBS_NODEFILE"
 
-# PBS runs a copy of this script and does not say of what.
+# PBS runs a copy of this script without its origin.
 home=
 for place in "${EHLWAVE_HOME:-}" . "$(dirname "$(command -v run-sweep)")/../share/ehlwave"; do
    if [ -z "$place" ] || [ ! -f "$place/scripts/batch/job" ]; then continue; fi

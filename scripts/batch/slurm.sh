@@ -12,9 +12,9 @@
 #        scripts/install-requirements --check && scripts/build native
 #    (native wants a login node with the processors of the compute nodes; else build release.)
 # 2. How many cases, on which grids:   ehlwave-sweep SWEEP.nml --plan
-# 3. Edit what is marked, submit. What is done, what is left:   ehlwave-sweep --status results.h5
+# 3. Edit the marked lines, submit. Progress:   ehlwave-sweep --status results.h5
 #
-# What to expect: scripts/batch/job.
+# Behaviour: scripts/batch/job.
 
 # EDIT HERE: account, partition, time. On the command line of sbatch they count more than these. --signal is the time
 # before the limit that the job takes to stop; it covers the longest steady state of a case.
@@ -36,10 +36,10 @@ cd "${SLURM_SUBMIT_DIR:-.}" || exit 2
 # EDIT HERE: the same modules or Spack packages as for the build.
 # module purge; module load gcc openmpi fftw hdf5      # or the module of ehlwave
 # . SPACK/share/spack/setup-env.sh; spack load gcc openmpi fftw hdf5
-# EDIT HERE if your cluster wants srun:
+# EDIT HERE if your cluster needs srun:
 # export EHLWAVE_LAUNCHER='srun --mpi=pmix'
 
-# Slurm runs a copy of this script: the job itself knows where it is from. A copy of your own works where ehlwave's module
+# Slurm runs a copy of this script: the job itself has the original path. A copy of your own works where ehlwave's module
 # is loaded, run-sweep is on PATH, or in the top folder of ehlwave.
 original=$(scontrol show job "${SLURM_JOB_ID:-0}" 2>/dev/null | sed -n '/^ *Command=/{s///;s/ .*//;p;q;}')
 home=

@@ -8,7 +8,7 @@ module ehlwave_accuracy_model
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: expected_film_error, expected_long_step_error, expected_meniscus_error, expected_ratio_error, &
+   public :: expected_film_error, expected_long_step_error, expected_ratio_error, &
       expected_step_error, largest_mesh, points_for, spike_factor, steady_work_units, step_work_units
 
    real(dp), parameter :: film_factor = 0.172_dp           !! model 'film'
@@ -17,7 +17,6 @@ module ehlwave_accuracy_model
    !> Error of responses and of friction over what grids show. Of 393 random responses three were off by 1.5 to 1.7
    !> times that, of 694 random frictions five by 1.4 to 1.8 times.
    real(dp), parameter, public :: grids_margin = 1.6_dp
-   real(dp), parameter, public :: meniscus_factor = 0.35_dp   !! see expected_meniscus_error
    !> Errors of a fitted scheme over those of the averaged one, by the inlet: as if the inlet were so much less steep.
    !> Measured (96 to 512 cells along X; M = 100 to 10,000, L = 1 to 20, D = 1 to 0.07): 0.02 to 0.065, 0.085 where hX
    !> is above half an inlet length. In oils that thin 0.03 to 0.14 of that of a Newtonian one (Ree-Eyring, 1 to 10 MPa,
@@ -86,14 +85,6 @@ contains
       real(dp), intent(in) :: samples         !! time steps per wave
       expected_long_step_error = time_step_factor*(1 - 1/real(cells_per_step, dp)**2)/samples**2
    end function expected_long_step_error
-
-   !> Relative error of Ad/Ai of a contact with too little oil by the meniscus, theory eq. (C8), of first order:
-   !> c hX/(its distance from the contact). A response knows the meniscus to a cell. As the mesh is refined and nodes
-   !> pass by it, Ad/Ai goes up and down.
-   pure real(dp) function expected_meniscus_error(hx_over_distance)
-      real(dp), intent(in) :: hx_over_distance   !! 0 of flooded contacts
-      expected_meniscus_error = meniscus_factor*hx_over_distance
-   end function expected_meniscus_error
 
    pure real(dp) function ratio_scale(conditions, formula_ratio, moves)
       type(conditions_t), intent(in) :: conditions

@@ -4,8 +4,8 @@ module ehlwave_case_completion
    use ehlwave_case_heat, only: check_heat, heat_of_oil
    use ehlwave_case_lubricant, only: check_lubricant, pressure_viscosity
    use ehlwave_conditions, only: conditions_from_dimensional, conditions_from_moes, conditions_t
+   use ehlwave_effects_plan, only: effects_plan_t
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_inlet_plan, only: check_inlet
    use ehlwave_kinds, only: dp
    use ehlwave_case_roughness, only: check_line_roughness, check_response, complete_roughness
    use ehlwave_method_choice, only: choose_method
@@ -25,6 +25,7 @@ contains
       character(len=*), intent(in) :: place
       type(error_t), allocatable, intent(inout) :: error
       type(conditions_t) :: conditions
+      type(effects_plan_t) :: effects
 
       if (allocated(error)) return
       call case_conditions(case, conditions, error)
@@ -34,7 +35,7 @@ contains
       if (.not. allocated(error)) call complete_roughness(case, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
-      if (.not. allocated(error)) call check_inlet(case, error)
+      if (.not. allocated(error)) call effects%check(case, error)
       if (.not. allocated(error)) call check_scheme(case, error)
       if (.not. allocated(error)) call choose_scheme(case, conditions)
       if (.not. allocated(error)) call choose_method(case, conditions)

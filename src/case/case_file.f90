@@ -12,7 +12,7 @@ module ehlwave_case_file
 
 contains
 
-   !> Read a case file, refuse what is unknown, missing or meaningless.
+   !> Read a case file, refuse unknown, missing or meaningless keys.
    subroutine read_case(path, case, error)
       character(len=*), intent(in) :: path
       type(case_t), intent(out) :: case

@@ -14,7 +14,7 @@ module ehlwave_case_files
       character(len=:), allocatable :: key                  !! '&group key'
       character(len=:), allocatable :: long_name
       character(len=:), allocatable :: path                 !! as it is given; '': none is read
-      character(len=identity_length) :: digest = ''         !! of the numbers in it, once they are read
+      character(len=identity_length) :: digest = ''         !! digest of the numbers in it, once read
    end type case_file_t
 
 contains
@@ -54,7 +54,7 @@ contains
       end do
    end function paths_read
 
-   !> Digests of all files, one behind the other: with the input they are all that a result follows from.
+   !> Digests of all files in sequence: with the input they determine a result.
    pure function file_digests(files) result(digests)
       type(case_file_t), intent(in) :: files(:)
       character(len=:), allocatable :: digests
@@ -75,7 +75,7 @@ contains
       i = 0
    end function file_changed_since
 
-   !> Note the digest of what a file holds.
+   !> Note the digest of the content of a file.
    subroutine note_digest(files, path, digest)
       type(case_file_t), intent(inout) :: files(:)
       character(len=*), intent(in) :: path

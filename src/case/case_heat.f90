@@ -63,7 +63,7 @@ contains
                '&dynamics end_time without waves, or &heat')
          else if (case%is_wavy() .and. case%response == 'periodic') then
             call raise(error, "&waviness response = 'periodic' does not take &heat: use 'transient' or 'harmonic'")
-         else if (case%is_starved() .or. case%oil_profile /= '') then
+         else if (case%effects%starvation%is_given() .or. case%effects%starvation%oil_profile /= '') then
             call raise(error, '&heat takes a gap that is full of oil: remove &inlet oil_over_flooded, oil_layer_m '// &
                'and oil_profile, or &heat')
          else if (heat%follows_waves() .and. .not. (case%is_wavy() .and. case%moves() .and. case%marches())) then

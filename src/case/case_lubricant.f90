@@ -18,12 +18,12 @@ module ehlwave_case_lubricant
    private
    public :: case_lubricant, check_lubricant, extrapolation_text, pressure_viscosity
 
-   real(dp), parameter :: largest_difference = 0.01_dp   ! relative, of two values of one viscosity
+   real(dp), parameter :: largest_difference = 0.01_dp   ! relative, of two values of the same viscosity
 
 contains
 
    !> Read the file of the oil, unless that is done. Refuse a law that lacks its parameters or contradicts the
-   !> conditions, or a flow law that lacks what makes it dimensionless.
+   !> conditions, or a flow law without data to make it dimensionless.
    subroutine check_lubricant(case, error)
       type(case_t), intent(inout) :: case
       type(error_t), allocatable, intent(inout) :: error
@@ -68,7 +68,7 @@ contains
          if (key /= '') error%message = key//': '//error%message
       else if (case%is_dimensional .and. law%ambient_pa_s > 0) then
          if (abs(case%data%viscosity_pa_s/law%ambient_pa_s - 1) <= largest_difference) return
-         if (.not. case%data%viscosity_pa_s > 0) return   ! is missing, which is said of the conditions
+         if (.not. case%data%viscosity_pa_s > 0) return   ! the conditions report the missing key
          call raise(error, key//" = '"//trim(case%oil%viscosity_file)//"' has "//to_text(law%ambient_pa_s, 6)// &
                     ' Pa s at ambient pressure, which &conditions viscosity_pa_s = '// &
                     to_text(case%data%viscosity_pa_s, 6)//' contradicts: give the same')

@@ -8,13 +8,11 @@ module ehlwave_case_plan
    use ehlwave_domain_choice, only: chosen_scale, expected_domain_errors, scale_domain
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid
-   use ehlwave_inlet_plan, only: expected_oil, judge_lanes, plan_inlet
    use ehlwave_kinds, only: dp
-   use ehlwave_layer_change, only: layer_changes, measured_share
    use ehlwave_march_plan, only: plan_march
    use ehlwave_plan_effort, only: cap_work, expect
    use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_march, run_standing
-   use ehlwave_resolution, only: judge_resolution, meniscus_distance
+   use ehlwave_resolution, only: judge_resolution
    use ehlwave_scheme_choice, only: is_fitted
    use ehlwave_surface_plan, only: plan_surfaces
    use ehlwave_text, only: to_text
@@ -35,7 +33,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       real(dp), intent(in), optional :: domain_scale   !! of the domain over that of the keys; absent: chosen
       type(case_t) :: copy
-      real(dp) :: errors(2), meniscus
+      real(dp) :: errors(2)
 
       copy = case
       call case_conditions(copy, plan%conditions, error)
@@ -59,7 +57,7 @@ contains
       plan%film_domain_error = errors(1)
       plan%domain_error = errors(2)
       if (case%edges == 'flooded') copy%accuracy = case%accuracy - min(0.5_dp*case%accuracy, plan%domain_error)
-      call plan_inlet(case, plan%conditions, plan%inlet, plan%files, error)
+      call plan%effects%make(case, plan%bare_plan_t, error)
       if (allocated(error)) return
       plan%thinning = new_thinning(plan%rheology, plan%conditions, case%oil%flow_exponent())
       plan%is_fitted = is_fitted(case)
@@ -67,12 +65,8 @@ contains
       call plan_surfaces(case, plan%conditions, plan%surfaces, plan%files, error)
       if (allocated(error)) return
       plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%surfaces%is_symmetric() &
-                     .and. plan%inlet%is_even()
-      meniscus = 0
-      if (plan%inlet%is_short()) &
-         meniscus = meniscus_distance(plan%conditions, measured_share(case)* &
-                                      expected_oil(plan%inlet, plan%conditions, plan%rheology))
-      call choose_grid(copy, plan%conditions, plan%surfaces, plan%is_fitted, plan%steepness, meniscus, &
+                     .and. plan%effects%are_even()
+      call choose_grid(copy, plan%conditions, plan%surfaces, plan%is_fitted, plan%steepness, plan%effects, &
                        plan%cells_x, plan%cells_y, plan%grid_reason)
       plan%hx = (plan%x_max - plan%x_min)/plan%cells_x
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
@@ -90,8 +84,7 @@ contains
          plan%kind = run_standing
          plan%phases = merge(8, 2, any(plan%surfaces%list%wavelength_x > 0))
       end if
-      if (layer_changes(case) .and. plan%kind /= run_march) call raise(error, '&inlet oil_change_factor: give '// &
-         '&dynamics end_time, to which is marched: no waves move')
+      if (plan%kind /= run_march) call plan%effects%check_run(case, plan%kind, 0.0_dp, error)
       if (.not. allocated(error) .and. plan%is_periodic) call check_repetition(plan, error)
       if (allocated(error)) return
       if (case%fields_every > 0 .and. (plan%kind /= run_march .or. plan%is_periodic)) then
@@ -104,8 +97,8 @@ contains
       if (case%heat%is_given()) plan%levels = case%heat%levels + 1
       if (case%fields_every > 0) plan%field_sets = plan%steps/case%fields_every + 1
       plan%resolution = judge_resolution(plan%conditions, plan%surfaces, plan%x_min, plan%y_max, plan%hx, plan%hy, &
-         plan%dt, meniscus, plan%is_fitted)
-      if (.not. plan%conditions%is_line()) call judge_lanes(plan%inlet, plan%y_max, plan%hy, plan%resolution)
+         plan%dt, plan%is_fitted)
+      call plan%effects%judge(plan%bare_plan_t)
       call expect(case, plan)
       if (case%accuracy > 0) call check_accuracy(case, plan, error)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps + merge(8, 0, plan%responds))

@@ -1,5 +1,6 @@
 !> The parts of the relative error of a number.
 module ehlwave_error_parts
+   use ehlwave_effects_keys, only: effect_count
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
@@ -7,7 +8,7 @@ module ehlwave_error_parts
    !> Expected by a plan, or estimated after a run. Their sum is what `accuracy` is about.
    type, public :: error_parts_t
       real(dp) :: mesh = 0         !! by the mesh, and of moving waves by time steps that follow it
-      real(dp) :: meniscus = 0     !! of contacts with too little oil: by where the meniscus lies between nodes
+      real(dp) :: by_effect(effect_count) = 0   !! by each physical effect, of first order in the mesh size
       real(dp) :: domain = 0       !! by the edges of the domain; those of a truncated one are asked for, and told
                                    !! besides
       real(dp) :: time = 0         !! by time steps longer than hX
@@ -23,7 +24,8 @@ contains
    !> The sum of all parts, NaN where one is not known.
    elemental real(dp) function total(self)
       class(error_parts_t), intent(in) :: self
-      total = self%mesh + self%meniscus + self%domain + self%time + self%amplitude + self%settling + self%algebraic
+      total = self%mesh + sum(self%by_effect) + self%domain + self%time + self%amplitude + self%settling &
+              + self%algebraic
    end function total
 
 end module ehlwave_error_parts

@@ -1,11 +1,12 @@
 !> The grid of a case: cells as given, or the smallest of a list of sizes that resolves inlet sweep and waves.
 module ehlwave_grid_choice
-   use ehlwave_accuracy_model, only: largest_mesh, meniscus_factor, points_for, wave_x_factor
+   use ehlwave_accuracy_model, only: largest_mesh, points_for, wave_x_factor
    use ehlwave_case_definition, only: case_t, roughness_t, usual_largest_cells
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_effects_plan, only: effects_plan_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: coarsest_inlet, coarsest_meniscus, coarsest_side, fewest_points_per_wave, &
+   use ehlwave_resolution, only: coarsest_inlet, coarsest_side, fewest_points_per_wave, &
       inlet_length, times_as_wide, wanted_inlet, wanted_line_inlet, wanted_points_per_wave
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
@@ -18,18 +19,17 @@ module ehlwave_grid_choice
    real(dp), parameter :: slip_without_formula = 0.5_dp   !! |S - 1| from which the formula for pure rolling tells
                                                           !! nothing
    real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp
-   real(dp), parameter :: share_of_meniscus = 0.5_dp   !! of contacts with too little oil: the others have room to spare
 
 contains
 
    !> Cells of the whole domain; one along Y for a line contact.
-   subroutine choose_grid(case, conditions, surfaces, is_fitted, steepness, meniscus, cells_x, cells_y, reason)
+   subroutine choose_grid(case, conditions, surfaces, is_fitted, steepness, effects, cells_x, cells_y, reason)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(surfaces_t), intent(in) :: surfaces
       logical, intent(in) :: is_fitted         !! scheme
       real(dp), intent(in) :: steepness        !! of the inlet, see `case_plan_t`
-      real(dp), intent(in) :: meniscus         !! expected distance from the contact, 0 of flooded ones
+      type(effects_plan_t), intent(in) :: effects
       integer, intent(out) :: cells_x, cells_y
       character(len=:), allocatable, intent(out) :: reason   !! why so many, for people
       real(dp) :: points
@@ -49,6 +49,7 @@ contains
    contains
 
       subroutine choose_x()
+         character(len=:), allocatable :: why
          real(dp) :: inlet, length, mesh, wanted, waves   ! waves: wave numbers over 2 pi, the largest
          integer :: n
 
@@ -73,12 +74,9 @@ contains
                why_x = 'for '//to_text(points, 3)//' points per wave'
             end associate
          end do
-         if (meniscus > 0 .and. surfaces%is_rough()) then
-            mesh = coarsest_meniscus*meniscus
-            if (case%accuracy > 0) mesh = min(mesh, share_of_meniscus*case%accuracy*meniscus/meniscus_factor)
-            if (length/mesh > wanted) why_x = 'for the meniscus, hX <= '//to_text(mesh, 2)
-            wanted = max(wanted, length/mesh)
-         end if
+         call effects%limit_mesh(case%accuracy, surfaces%is_rough(), mesh, why)
+         if (length/mesh > wanted) why_x = why
+         wanted = max(wanted, length/mesh)
          if (case%accuracy > 0) then
             mesh = accurate_mesh(case, conditions, surfaces%is_rough() .and. .not. surfaces%is_measured(), &
                                  surfaces%moves(), merge(waves, 0.0_dp, is_fitted), steepness)

@@ -1,4 +1,4 @@
-!> The amplitude up to which waves respond as small ones do.
+!> The amplitude up to which waves respond linearly.
 !>
 !> The relative difference of Ad/Ai grows with the square of Ai: difference = factor (Ai/film)^2. Factors were measured
 !> by marches beside linear responses (96 x 96 cells, transverse waves of 0.6 and 1.2 a):
@@ -11,7 +11,7 @@
 !>     80, 8, 0.5, 0.5                  0.07, 1.8                         0.07, 4.4
 !>     80, 8, 0.5, 1.5                  12 to 17 (0.6 a), 1.1 (1.2 a)     0.2 (1.2 a)
 !>
-!> The wave that the oil carries makes the difference, which varies much between cases. The range is that of the worst.
+!> The wave that the oil carries makes the difference, which varies much between cases. The range holds for the worst.
 module ehlwave_linear_range
    use ehlwave_case_definition, only: case_t
    use ehlwave_kinds, only: dp
@@ -20,14 +20,15 @@ module ehlwave_linear_range
    private
    public :: expected_nonlinearity, is_beyond_linear, linear_limit_text
 
-   real(dp), parameter, public :: tolerated_difference = 0.01_dp   !! of Ad/Ai, relative, within the linear range
-   real(dp), parameter :: rolling_factor = 0.05_dp                 !! of (Ai over the film)^2
-   real(dp), parameter :: slip_factor(2) = [68.0_dp, 18.0_dp]      !! the same over (S - 1)^2: Newtonian oil with S > 1,
+   real(dp), parameter, public :: tolerated_difference = 0.01_dp   !! tolerated difference of Ad/Ai, relative, within
+                                                                   !! the linear range
+   real(dp), parameter :: rolling_factor = 0.05_dp                 !! factor of (Ai over the film)^2
+   real(dp), parameter :: slip_factor(2) = [68.0_dp, 18.0_dp]      !! factors over (S - 1)^2: Newtonian oil with S > 1,
                                                                    !! others
 
 contains
 
-   !> Relative difference to expect between Ad/Ai of the waves of a case and that of small ones.
+   !> Relative difference to expect between Ad/Ai of the waves of a case and of small waves.
    elemental real(dp) function expected_nonlinearity(case) result(difference)
       type(case_t), intent(in) :: case
       difference = curvature(case, case%slip_parameter)*case%amplitude_over_film**2
@@ -41,7 +42,7 @@ contains
       is_beyond_linear = expected_nonlinearity(case) > tolerated_difference
    end function is_beyond_linear
 
-   !> Largest Ai within the linear range of each surface, the other one smooth, for people.
+   !> Largest Ai within the linear range of each surface, with the other surface smooth, as text.
    function linear_limit_text(case) result(text)
       type(case_t), intent(in) :: case
       character(len=:), allocatable :: text
@@ -58,10 +59,10 @@ contains
 
    end function linear_limit_text
 
-   !> Of the difference over (Ai over the film)^2, for the waves of one surface.
+   !> Difference over (Ai over the film)^2, for the waves of a surface.
    elemental real(dp) function curvature(case, speed)
       type(case_t), intent(in) :: case
-      real(dp), intent(in) :: speed        !! of the surface, over the mean one
+      real(dp), intent(in) :: speed        !! speed of the surface, over the mean speed
       curvature = rolling_factor + slip_factor(merge(1, 2, case%oil%is_newtonian() .and. speed > 1))*(speed - 1)**2
    end function curvature
 

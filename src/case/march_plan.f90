@@ -3,9 +3,7 @@ module ehlwave_march_plan
    use ehlwave_accuracy_model, only: expected_long_step_error
    use ehlwave_case_definition, only: case_t
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_inlet_plan, only: expected_oil
    use ehlwave_kinds, only: dp
-   use ehlwave_layer_change, only: change_times, layer_changes
    use ehlwave_planned_case, only: case_plan_t, run_march
    use ehlwave_surface_plan, only: surface_times
    use ehlwave_text, only: to_text
@@ -32,7 +30,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
       type(error_t), allocatable, intent(inout) :: error
-      real(dp) :: change_passed, passed, settled, total
+      real(dp) :: passed, settled, total
 
       plan%kind = run_march
       if (case%time_step_over_cell <= 0) then
@@ -49,11 +47,7 @@ contains
          settled = min(settled, total)
       else if (plan%surfaces%moves()) then
          passed = plan%surfaces%passing_time(outlet_end)
-         if (layer_changes(case)) then
-            call change_times(case, plan%conditions, expected_oil(plan%inlet, plan%conditions, plan%rheology), &
-                              plan%x_min, outlet_end, change_passed, plan%rest)
-            passed = max(passed, change_passed)
-         end if
+         call plan%effects%delay(case, plan%bare_plan_t, outlet_end, passed, plan%rest)
          settled = max(passed, plan%rest)
          if (abs(case%load_factor - 1) > 0) settled = settled + load_time
          settled = settled + case%settling_periods*plan%surfaces%longest_period()
@@ -67,12 +61,8 @@ contains
          settled = case%end_time
          total = case%end_time
       end if
-      if (layer_changes(case) .and. case%oil_change_start >= total) then
-         call raise(error, '&inlet oil_change_start = '//to_text(case%oil_change_start, 6)//' is not before the '// &
-                    'end of the march, T = '//to_text(total, 6)//': the layer would never change; start earlier'// &
-                    trim(merge(', or give a later &dynamics end_time', repeat(' ', 36), case%end_time > 0)))
-         return
-      end if
+      call plan%effects%check_run(case, plan%kind, total, error)
+      if (allocated(error)) return
       if (total/plan%dt > most_steps) then
          call raise(error, 'the case needs '//to_text(total/plan%dt, 3)//' time steps, more than '// &
                     to_text(most_steps)//': with slip_parameter near 0 the pattern hardly moves; use 0 for a '// &

@@ -2,6 +2,7 @@
 module ehlwave_method_choice
    use ehlwave_accuracy_model, only: expected_film_error
    use ehlwave_case_definition, only: case_t
+   use ehlwave_effect_keys, only: by_fas
    use ehlwave_conditions, only: conditions_t
    use ehlwave_kinds, only: dp
    use ehlwave_oil, only: barus
@@ -25,7 +26,7 @@ module ehlwave_method_choice
 contains
 
    !> Method, cycle and, where none is given, the tolerance of a case with method = 'auto'.
-   pure subroutine choose_method(case, conditions)
+   subroutine choose_method(case, conditions)
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(in) :: conditions
       real(dp) :: mesh_error
@@ -43,11 +44,11 @@ contains
 
    !> Whether all that a case asks of its solver is a steady state that FAS solves. With the fitted scheme it does not
    !> always (M = 1000, D = 1: on 512^2 cells in 5 cycles, on 768^2 not). Newton's method takes 28 GMRES steps there.
-   pure logical function suits_multigrid(case)
+   logical function suits_multigrid(case)
       type(case_t), intent(in) :: case
       suits_multigrid = case%radius_ratio_d > 0 .and. case%oil%is_newtonian() .and. case%deformation /= 'mlmi' &
-         .and. .not. (case%heat%is_given() .or. case%sensitivities .or. case%is_starved() .or. case%is_measured() &
-                    .or. is_fitted(case)) &
+         .and. .not. (case%heat%is_given() .or. case%sensitivities .or. case%effects%refuse(by_fas) &
+                    .or. case%is_measured() .or. is_fitted(case)) &
          .and. .not. case%end_time > 0 .and. .not. abs(case%load_factor - 1) > 0 &
          .and. (case%response == 'harmonic' .or. .not. case%is_wavy())
    end function suits_multigrid

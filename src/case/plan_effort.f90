@@ -1,6 +1,6 @@
 !> Errors and work to expect of a plan, and the cap on its work.
 module ehlwave_plan_effort
-   use ehlwave_accuracy_model, only: expected_long_step_error, expected_meniscus_error, expected_ratio_error, &
+   use ehlwave_accuracy_model, only: expected_long_step_error, expected_ratio_error, &
       expected_step_error, fitted_share, steady_work_units, step_work_units, wave_x_factor
    use ehlwave_case_definition, only: case_t
    use ehlwave_grid_choice, only: formula_ratio
@@ -26,9 +26,6 @@ module ehlwave_plan_effort
                                                      !! to 2.2
    real(dp), parameter :: periodic_share = 0.4_dp    !! of a march that starts in the waves, of one from rest; measured:
                                                      !! 0.2 to 0.6
-   real(dp), parameter :: starved_cost = 2.7_dp      !! of a starved steady state with the flooded one on the way, of
-                                                     !! that alone; measured: 2 to 4
-   real(dp), parameter :: starved_step_cost = 1.3_dp !! of a time step without patches
    !> Of an oil with a limit of its stress; measured: 2 to 20, and 65 by FAS, whose every sweep finds the stresses anew.
    real(dp), parameter :: limit_cost = 6, fas_limit_cost = 30
    !> Of the fitted scheme, steady states and responses; measured (64 to 768 cells, M = 100 to 10,000): 0.9 to 4 and 0.8
@@ -62,20 +59,20 @@ contains
                                                    plan%resolution%points_y, 1, samples, 0.0_dp)*plan%thinning%steepness
          if (plan%is_fitted .and. plan%resolution%points_x > 0) &
             plan%expected%mesh = plan%expected%mesh + wave_x_factor/plan%resolution%points_x**2
-         plan%expected%meniscus = expected_meniscus_error(plan%resolution%meniscus)
+         call plan%effects%expect_ratio_error(plan%expected)
          if (samples > 0) plan%expected%time = expected_long_step_error(plan%cells_per_step, samples)
          if (samples > 0) plan%expected%algebraic = expected_step_error(step_tolerance)
          if (plan%kind == run_march .or. plan%kind == run_standing) plan%expected%amplitude = &
             expected_nonlinearity(case)
       end if
-      plan%expected_error = plan%expected%mesh + plan%expected%meniscus + plan%expected%time + plan%expected%algebraic
+      plan%expected_error = plan%expected%mesh + sum(plan%expected%by_effect) + plan%expected%time &
+                            + plan%expected%algebraic
       associate (steady => steady_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost), &
                  step => step_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost))
          if (abs(case%load_factor - 1) > 0) steps_cost = load_step_cost
          if (case%method == 'petsc') steps_cost = petsc_cost*steps_cost
-         if (plan%inlet%is_short()) steps_cost = starved_step_cost*steps_cost
          steady_cost = merge(petsc_cost, 1.0_dp, case%method == 'petsc')
-         if (plan%inlet%is_short()) steady_cost = starved_cost
+         call plan%effects%multiply_cost(steady_cost, steps_cost)
          if (plan%is_fitted) steady_cost = fitted_cost*steady_cost
          plan%expected_work_units = (1 + plan%phases*phase_cost(case%amplitude_over_film))*steady*steady_cost &
                                     + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost

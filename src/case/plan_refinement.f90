@@ -36,10 +36,11 @@ contains
       logical, intent(out) :: is_finer
       type(case_t) :: copy
       type(error_t), allocatable :: error
-      real(dp) :: factor, room, scale
+      real(dp) :: factor, first_order, room, scale
 
       is_finer = .false.
-      room = case%accuracy - (parts%total() - parts%mesh - parts%meniscus)
+      first_order = sum(parts%by_effect)
+      room = case%accuracy - (parts%total() - parts%mesh - first_order)
       copy = case
       copy%accuracy = 0                             ! what it chooses is chosen here
       copy%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
@@ -49,8 +50,8 @@ contains
          room = room + 0.5_dp*parts%domain
       end if
       if (.not. room > 0) return
-      ! mesh/factor^2 + meniscus/factor = aim room
-      factor = 0.5_dp*(parts%meniscus + sqrt(parts%meniscus**2 + 4*parts%mesh*aim*room))/(aim*room)
+      ! mesh/factor^2 + first_order/factor = aim room
+      factor = 0.5_dp*(first_order + sqrt(first_order**2 + 4*parts%mesh*aim*room))/(aim*room)
       factor = min(max(1.0_dp, factor), largest_factor)
       factor = factor*scale/plan%domain_scale
       do

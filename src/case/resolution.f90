@@ -10,7 +10,7 @@ module ehlwave_resolution
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: judge_resolution, has_room, inlet_length, inlet_gap, meniscus_distance, touching_reason, closing_reason, &
+   public :: judge_resolution, has_room, inlet_length, inlet_gap, touching_reason, closing_reason, &
       add_reason, times_as_wide
 
    ! Points per wave, in each direction and in time.
@@ -30,11 +30,6 @@ module ehlwave_resolution
    !> central film is 0.3 to 2 per cent off (M = 1000 to 10,000, L = 2.5 to 20, D = 1 to 0.07), with 0.9 5 per cent.
    real(dp), parameter :: fitted_inlet = 2
 
-   !> Largest hX over the distance from the contact's edge to the meniscus that resolves its answer to waves: Ad/Ai is
-   !> then 8 per cent off, with 0.44 40 per cent (M = 100, D = 1, r = 0.5). The film needs no such grid: with 0.7 to 1.2
-   !> R is 2 per cent off, for the less oil there is the less the inlet decides.
-   real(dp), parameter, public :: coarsest_meniscus = 0.25_dp
-
    real(dp), parameter, public :: narrowest_inlet_gap = 4/3.0_dp    !! gap at the inlet boundary over the film thickness
    real(dp), parameter, public :: flooded_inlet_gap = 8             !! from which on the film does not feel the boundary
    real(dp), parameter, public :: thick_film_gap = 40               !! the gap wanted on all sides of a film above 1
@@ -44,7 +39,6 @@ module ehlwave_resolution
 
    type, public :: resolution_t
       real(dp) :: inlet = 0                !! hX over the length of the inlet pressure sweep
-      real(dp) :: meniscus = 0             !! hX over the expected distance of the meniscus from the contact, 0: flooded
       real(dp) :: points_x = 0             !! mesh sizes per wave along X, 0 without variation along X
       real(dp) :: points_y = 0             !! mesh sizes per wave along Y
       real(dp) :: samples = 0              !! time steps per period, 0 in steady cases
@@ -68,14 +62,6 @@ contains
       type(conditions_t), intent(in) :: conditions
       inlet_length = min(1.0_dp, max(sqrt(conditions%l/conditions%steepness()), conditions%lambdabar**0.4_dp))
    end function inlet_length
-
-   !> Distance in X from the edge of the contact to the meniscus at Y = 0 to expect: 2 H^(2/3) r^1.6 with H of the
-   !> flooded film. Measured on 144 contacts of the stability map, r = 0.3 to 1.2: right within a factor of 2.5.
-   pure real(dp) function meniscus_distance(conditions, oil)
-      type(conditions_t), intent(in) :: conditions
-      real(dp), intent(in) :: oil     !! r, offered over what the flooded contact passes
-      meniscus_distance = 2*expected_film(conditions)**(2/3.0_dp)*oil**1.6_dp
-   end function meniscus_distance
 
    !> Gap of the dry Hertzian contact at the inlet boundary on the axis, in units of the film thickness of the formula.
    !> Measured against domains four times as long, L = 0 and 12.05, D = 0.005 to 1: the film is 5 per cent too thin at
@@ -151,17 +137,16 @@ contains
    end function has_room
 
    !> Points per wave and per inlet sweep, the length of the inlet, and the verdict on them.
-   pure function judge_resolution(conditions, surfaces, x_min, y_max, hx, hy, dt, meniscus, is_fitted) result(self)
+   pure function judge_resolution(conditions, surfaces, x_min, y_max, hx, hy, dt, is_fitted) result(self)
       type(conditions_t), intent(in) :: conditions
       type(surfaces_t), intent(in) :: surfaces
       real(dp), intent(in) :: x_min    !! X of the inlet boundary
       real(dp), intent(in) :: y_max    !! half the width of the domain
       real(dp), intent(in) :: hx, hy   !! mesh sizes in X and Y, hY of a line contact 0
       real(dp), intent(in) :: dt       !! time step, 0 in steady cases
-      real(dp), intent(in), optional :: meniscus   !! expected distance from the contact; absent or 0: flooded
       logical, intent(in), optional :: is_fitted   !! scheme; absent: averaged
       type(resolution_t) :: self
-      real(dp) :: coarsest, distance, length
+      real(dp) :: coarsest, length
       integer :: n
 
       self%reason = ''
@@ -174,12 +159,6 @@ contains
       ! with 0.31 the central film is 0.1 per cent off, but the smallest, in the side lobes, by a factor of two (L =
       ! 30).
       call judge_inlet(hy/length, coarsest*coarsest_side, 'hY')
-      distance = 0
-      if (present(meniscus)) distance = meniscus
-      if (distance > 0) self%meniscus = hx/distance
-      if (self%meniscus > coarsest_meniscus .and. surfaces%is_rough()) call add_reason(self%reason, &
-         'waves move the meniscus, which is about '//to_text(distance, 2)//' a ahead of the contact: use hX <= '// &
-         to_text(coarsest_meniscus*distance, 2))
       self%inlet_gap = inlet_gap(conditions, x_min)
       if (.not. self%inlet_gap >= narrowest_inlet_gap) call add_reason(self%reason, &
          'the film is as thick as the gap at x_min (ratio '//to_text(self%inlet_gap, 3)// &

@@ -2,6 +2,7 @@
 module ehlwave_scheme_choice
    use ehlwave_accuracy_model, only: fitted_share
    use ehlwave_case_definition, only: case_t, roughness_t
+   use ehlwave_effect_keys, only: by_fitted_scheme
    use ehlwave_case_lubricant, only: case_lubricant
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
@@ -84,9 +85,9 @@ contains
    end function is_fitted
 
    !> Whether the fitted scheme is written for what the case asks.
-   pure logical function suits(case)
+   logical function suits(case)
       type(case_t), intent(in) :: case
-      suits = .not. (case%heat%is_given() .or. case%is_starved())
+      suits = .not. (case%heat%is_given() .or. case%effects%refuse(by_fitted_scheme))
    end function suits
 
 end module ehlwave_scheme_choice

@@ -1,19 +1,19 @@
-!> Expected errors and work of an oil that is not Newtonian, relative to those of a Newtonian one.
+!> Expected errors and work of an oil that is not Newtonian, relative to a Newtonian oil.
 !>
 !> Its film is thinner, its inlet steeper by the same factor, and the flow across the film needs more points. Measured:
 !> H(0,0) on 64 to 192 cells of 60 random contacts (M 8 to 250, L 2 to 17, D 0.05 to 1, S 0.2 to 1.8, Ree-Eyring 0.1 to
-!> 20 MPa, Carreau n 0.35 to 1). The error over that of the Newtonian model is the Newtonian film over the film. Both
-!> are about 1 + 0.15 (1 - n) ph^2/(E' tau0), theory eq. (E7):
+!> 20 MPa, Carreau n 0.35 to 1). The error over the Newtonian model's is the Newtonian film over the film. Both are
+!> about 1 + 0.15 (1 - n) ph^2/(E' tau0), theory eq. (E7):
 !>
 !>     ph^2/(E' tau0)             0.6    2.5    3.4    10     17     23 (n = 0.57)   79      216 (n = 0.46)
 !>     error over the model       1.2    1.25   1.6    2.6    3.9    2.0             17      10.8
 !>     1 + 0.15 (1 - n) ...       1.1    1.4    1.5    2.5    3.5    2.5             12.8    18
 !>
-!> (at 34 with S = 0.98 it is 2.6 in place of 6). Work over that of the Newtonian model is the same without n up to 20
-!> (3 at 20, of the Carreau oil of 216 it is 29). With sliding many cases above 10 need the rescue ladder: 32 times at
-!> 14, 30 to 220 times at 40, 43 to 70 times at 58 with B = 2.6, 600 times at 79 with B = 10, where B = (lambdabar/3)
-!> abs(S - 1) ph^2/(E' tau0)/H is the rate of shear in the film of the formula. The cost is a compromise: direct
-!> solutions take down to a fifth of it, rescued ones up to ten times as much.
+!> (at 34 with S = 0.98 it is 2.6 in place of 6). Work over the Newtonian model's is the same without n up to 20 (3 at
+!> 20; 29 for the Carreau oil of 216). With sliding many cases above 10 need the rescue ladder: 32 times at 14, 30 to
+!> 220 times at 40, 43 to 70 times at 58 with B = 2.6, 600 times at 79 with B = 10, where B = (lambdabar/3) abs(S - 1)
+!> ph^2/(E' tau0)/H is the rate of shear in the film of the formula. The cost is a compromise: direct solutions take
+!> down to a fifth of it, rescued solutions up to ten times as much.
 module ehlwave_thinning
    use ehlwave_conditions, only: conditions_t
    use ehlwave_film_flow, only: film_flow_t
@@ -25,13 +25,14 @@ module ehlwave_thinning
    public :: new_thinning
 
    type, public :: thinning_t
-      real(dp) :: steepness = 1   !! error on the same grid over that of a Newtonian oil
-      real(dp) :: cost = 1        !! work over that of one whose flow takes least
-      real(dp) :: cost_factor = 2 !! within which the work of 17 of 20 random cases is that of the plan
+      real(dp) :: steepness = 1   !! error on the same grid over a Newtonian oil's
+      real(dp) :: cost = 1        !! work over an oil whose flow takes least
+      real(dp) :: cost_factor = 2 !! factor within which 17 of 20 random cases agree with the plan
    end type thinning_t
 
    real(dp), parameter :: factor = 0.15_dp
-   real(dp), parameter :: rescue_factor = 0.6_dp, rescue_stress = 5   !! of ph^2/(E' tau0), from which on rescues are to
+   real(dp), parameter :: rescue_factor = 0.6_dp, rescue_stress = 5   !! value of ph^2/(E' tau0), from which on rescues
+                                                                      !! are to
                                                                       !! be expected
 
    !> The work of 84 to 86 per cent of cases was within a factor of 2 of the plan with 328 Newtonian oils, within 3 with
@@ -40,7 +41,7 @@ module ehlwave_thinning
 
 contains
 
-   !> That of an oil; 1 of a Newtonian one.
+   !> Thinning of an oil; 1 for a Newtonian oil.
    pure function new_thinning(rheology, conditions, exponent) result(self)
       type(rheology_t), intent(in) :: rheology
       type(conditions_t), intent(in) :: conditions

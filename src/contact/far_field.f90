@@ -1,6 +1,6 @@
 !> The pressure far from a contact, where the film is thick: the boundary value of a flooded edge.
 !>
-!> Of a rigid paraboloid and an oil that neither thickens nor is compressed it is known exactly (Kapitza 1955): with
+!> A rigid paraboloid and an oil that neither thickens nor is compressed have an exact solution (Kapitza 1955): with
 !> H = h + S X^2 + (1 - S) Y^2, theory eq. (7) holds for
 !>
 !>     P = lambdabar/(3 + 2 D) |X|/H^2,    X < 0,                                                             (F1)

@@ -2,6 +2,7 @@
 module ehlwave_case_definition
    use ehlwave_case_key, only: name_length => choice_length
    use ehlwave_conditions, only: contact_data_t
+   use ehlwave_effects_keys, only: effects_keys_t
    use ehlwave_heat_data, only: heat_data_t
    use ehlwave_kinds, only: dp
    use ehlwave_number_table, only: path_length
@@ -42,12 +43,7 @@ module ehlwave_case_definition
       character(len=name_length) :: response = 'transient'
       ! &waviness2 and &surface2
       type(roughness_t) :: second
-      ! &inlet
-      real(dp) :: oil_over_flooded = 0                   !! r; 0: none
-      real(dp) :: oil_layer_m = 0                        !! 0: none
-      character(len=path_length) :: oil_profile = ''
-      real(dp) :: oil_change_factor = 1                  !! 1: none
-      real(dp) :: oil_change_start = 0, oil_change_length = 0   !! 0: to the end
+      type(effects_keys_t) :: effects
       ! &grid
       real(dp) :: x_min = -2.5_dp, x_max = 1.5_dp, y_max = 2
       integer :: cells_x = 256, cells_y = 256            !! 0: chosen by the plan; cells_y of a line contact: completed
@@ -90,7 +86,6 @@ module ehlwave_case_definition
       procedure :: moves
       procedure :: marches
       procedure :: responds
-      procedure :: is_starved
    end type case_t
 
    integer, parameter, public :: usual_largest_cells = 1024   !! that the plan chooses where no limit is given,
@@ -153,11 +148,5 @@ contains
       class(case_t), intent(in) :: self
       has_ratio = self%is_wavy() .and. .not. self%second%is_measured()
    end function has_ratio
-
-   !> Whether the contact is offered less oil than it could take, or may be.
-   elemental logical function is_starved(self)
-      class(case_t), intent(in) :: self
-      is_starved = self%oil_over_flooded > 0 .or. self%oil_layer_m > 0
-   end function is_starved
 
 end module ehlwave_case_definition

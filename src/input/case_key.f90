@@ -1,4 +1,4 @@
-!> One key of an input: its description, and its value of any kind.
+!> A key of an input: its description, and its value of any kind.
 module ehlwave_case_key
    use ehlwave_kinds, only: dp
    use ehlwave_text, only: to_text
@@ -7,32 +7,33 @@ module ehlwave_case_key
    public :: is_same, key_long_name, value_text, words_of
 
    integer, parameter, public :: number_kind = 1, whole_kind = 2, truth_kind = 3, word_kind = 4
-   integer, parameter, public :: most_keys = 128     !! of one table
+   integer, parameter, public :: most_keys = 128     !! most keys of a table
    integer, parameter, public :: key_length = 32     !! longest name
    integer, parameter, public :: choice_length = 20  !! longest choice, e.g. 'equation_of_motion'
 
-   !> An entry of a table of keys. What is not said of a key is as here.
+   !> An entry of a table of keys, with its defaults.
    type, public :: key_t
       character(len=key_length) :: name = ''
-      character(len=512) :: help = ''                !! one line; up to the first ':' or ';' its long name
+      character(len=512) :: help = ''                !! one line; its long name ends at the first ':' or ';'
       character(len=8) :: unit = '1'
       real(dp) :: above = -huge(1.0_dp)              !! not allowed itself
       real(dp) :: minimum = -huge(1.0_dp), maximum = huge(1.0_dp)   !! allowed themselves
-      character(len=80) :: choices = ''              !! of a word, blanks between; none: any text
+      character(len=80) :: choices = ''              !! choices of a word, separated by blanks; none: any text
       logical :: is_required = .false.               !! has no default
-      character(len=64) :: default = ''              !! what the reference says where the default is not a value
+      character(len=64) :: default = ''              !! default in the reference where it is not a value
       logical :: applies = .true.                    !! to the case at hand: refused where it is given and does not
-      logical :: counts = .true.                     !! has an effect in the case at hand: without one any other value
+      logical :: counts = .true.                     !! has an effect in the present case: without one any other value
                                                      !! than the default is refused; it is written all the same
-      logical :: is_effort = .false.                 !! a setting of the solution: the plan tells that it has no effect,
+      logical :: is_effort = .false.  !! a setting of the solution: the plan reports that it has no effect,
                                                      !! in place of a refusal
-      character(len=160) :: when = ''                !! the same for people: 'belongs to ...'
+      character(len=160) :: when = ''                !! condition as text: 'belongs to ...'
       logical :: is_written = .true.                 !! in the effective input of the case at hand, if it applies
       logical :: is_late = .false.                   !! added after stores were made: written where it is not the
                                                      !! default
       logical :: can_vary = .true.                   !! in a sweep
-      character(len=key_length) :: file = ''         !! of a key that names a file to be read: its name in results
-      character(len=key_length) :: short = ''        !! that its group takes as well, where the group says the rest
+      character(len=key_length) :: file = ''         !! for a key that names a file to be read: its name in results
+      character(len=key_length) :: short = ''        !! short name that its group accepts as well, where the group
+                                                     !! implies the rest
       ! filled in by the list
       integer :: kind = 0
       character(len=choice_length) :: group = ''
@@ -42,7 +43,7 @@ module ehlwave_case_key
    !> Value of a key of any kind.
    type, public :: key_value_t
       integer :: kind = 0
-      real(dp) :: number = 0                         !! of all kinds but words; true is 1, false 0
+      real(dp) :: number = 0                         !! value of all kinds but words; true is 1, false 0
       character(len=:), allocatable :: word
    end type key_value_t
 
@@ -51,7 +52,7 @@ contains
    !> A value as a namelist takes it.
    pure function value_text(value, digits) result(text)
       type(key_value_t), intent(in) :: value
-      integer, intent(in), optional :: digits   !! of a number; without: lossless
+      integer, intent(in), optional :: digits   !! digits of a number; without: lossless
       character(len=:), allocatable :: text
       integer :: i
 
@@ -85,7 +86,7 @@ contains
       name = trim(key%help(:scan(trim(key%help)//';', ';:') - 1))
    end function key_long_name
 
-   !> The words of a list of choices, one blank between them.
+   !> The words of a list of choices, separated by single blanks.
    pure function words_of(list) result(words)
       character(len=*), intent(in) :: list
       character(len=choice_length), allocatable :: words(:)

@@ -6,8 +6,9 @@
 !> its default is not what cases were before, see `case_text`. What contradicts what stands in `case_completion`. A key
 !> that names a file to be read has a `file`, by which `case/case_files` and the results know it.
 module ehlwave_case_keys
-   use ehlwave_case_definition, only: case_t, path_length
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_t
+   use ehlwave_effect_keys, only: by_second_order
    use ehlwave_key_list, only: key_list_t
    use ehlwave_heat_keys, only: visit_heat_keys
    use ehlwave_kinds, only: dp
@@ -69,7 +70,7 @@ contains
       call visit_surface(case%roughness_t, '', list)
       call visit_waviness(case%second, '2', list)
       call visit_surface(case%second, '2', list)
-      call visit_inlet(case, list)
+      call case%effects%visit('surface2', list)
       call visit_grid(case, list)
       call visit_solver(case, list)
       call visit_dynamics(case, list)
@@ -84,8 +85,8 @@ contains
          'differentiated by alpha and by the stress of the flow law', is_late=.true.))
       call list%see(case%mean_rise, key_t('mean_rise', 'whether a linear response finds to second order what waves '// &
          'do to the mean film, and the smallest film; .false. saves a third of its work, and does not tell whether '// &
-         'waves touch', is_late=.true., counts=case%responds() .and. .not. case%is_starved(), is_effort=.true., &
-         when=linear//' in flooded contacts'))
+         'waves touch', is_late=.true., is_effort=.true., &
+         counts=case%responds() .and. .not. case%effects%refuse(by_second_order), when=linear//' in flooded contacts'))
    end subroutine visit_case_keys
 
    subroutine visit_conditions(case, list)
@@ -125,33 +126,6 @@ contains
          'place of slip_parameter, S = 1 + ratio/2; surface 1 is the wavy one', minimum=-2.0_dp, maximum=2.0_dp, &
          is_written=.false.))
    end subroutine visit_conditions
-
-   subroutine visit_inlet(case, list)
-      type(case_t), intent(inout) :: case
-      type(key_list_t), intent(inout) :: list
-      logical :: is_short
-
-      is_short = max(case%oil_over_flooded, case%oil_layer_m) > 0
-      call list%enter('inlet', 'Oil offered to the contact, where it is less than fills the inlet.')
-      call list%see(case%oil_over_flooded, key_t('oil_over_flooded', 'oil offered over oil that the flooded '// &
-         'contact passes; r = layer/(rho_c h_cff), h_cff the film and rho_c the relative density at its centre, '// &
-         'found on the way; none: flooded', above=0.0_dp, maximum=1e4_dp, is_late=.true., &
-         applies=.not. case%oil_layer_m > 0, when='inlets without oil_layer_m'))
-      call list%see(case%oil_layer_m, key_t('oil_layer_m', 'layers of oil on both surfaces together; in place of '// &
-         'oil_over_flooded; needs dimensional conditions', unit='m', above=0.0_dp, is_late=.true.))
-      list%common = key_t(is_late=.true., applies=is_short, when='starved contacts (oil_over_flooded or oil_layer_m)')
-      call list%see(case%oil_profile, key_t('oil_profile', 'CSV of the layer across; columns y_over_b and '// &
-         'layer_over_given, the share of what oil_over_flooded or oil_layer_m say that is offered there; linear '// &
-         'between its rows', maximum=real(path_length, dp), file='oil_profile', is_written=case%oil_profile /= ''))
-      call list%see(case%oil_change_factor, key_t('oil_change_factor', 'layer in a march after a change over '// &
-         'before; 1: no change, 0.001: a gap', above=0.0_dp, maximum=1000.0_dp))
-      list%common%applies = is_short .and. abs(case%oil_change_factor - 1) > 0
-      list%common%when = 'a change of the layer (oil_change_factor)'
-      call list%see(case%oil_change_start, key_t('oil_change_start', 'T at which the change passes x_min', &
-         minimum=0.0_dp))
-      call list%see(case%oil_change_length, key_t('oil_change_length', 'length of the changed layer over a; 0: to '// &
-         'the end', minimum=0.0_dp))
-   end subroutine visit_inlet
 
    subroutine visit_grid(case, list)
       type(case_t), intent(inout) :: case

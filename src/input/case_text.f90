@@ -10,8 +10,8 @@ module ehlwave_case_text
    private
    public :: case_identity, effective_input, input_identity, input_text
 
-   ! Lines of keys that were added after stores were made, with what cases were before, which is not the default: always
-   ! written, no part of the identity.
+   ! Lines of keys added after stores were made, with the former behaviour, which is not the default: always written, no
+   ! part of the identity.
    character(len=*), parameter :: former(1) = ["  edges = 'truncated'"//new_line('a')]
 
 contains
@@ -28,14 +28,14 @@ contains
       end if
    end function effective_input
 
-   !> The keys that make a case, group by group: all but those that do not apply, say that there is none (a value
-   !> outside the bounds, an empty text), or were added later and are not used.
+   !> The keys of a case, group by group. Left out are keys that do not apply, that mean none (a value outside the
+   !> bounds, an empty text), or that were added later and are not used.
    function input_text(list, defaults) result(text)
       type(key_list_t), intent(in) :: list
-      type(key_list_t), intent(in) :: defaults     !! the same keys with their defaults
+      type(key_list_t), intent(in) :: defaults     !! the keys with their defaults
       character(len=:), allocatable :: text
       character(len=*), parameter :: line_end = new_line('a')
-      character(len=:), allocatable :: group       ! that the text is in
+      character(len=:), allocatable :: group       ! group of the text
       integer :: k
 
       text = ''
@@ -57,7 +57,7 @@ contains
       text = text//'/'//line_end
    end function input_text
 
-   !> Identity of a case: that of its effective input.
+   !> Identity of a case: the identity of its effective input.
    function case_identity(case, defaults) result(identity)
       type(case_t), intent(in) :: case
       type(key_list_t), intent(in), optional :: defaults
@@ -65,8 +65,8 @@ contains
       identity = input_identity(effective_input(case, defaults))
    end function case_identity
 
-   !> Identity of an effective input: 16 hexadecimal digits, the 64-bit FNV-1a hash of it, without lines that say what
-   !> went without saying when the first stores were made.
+   !> Identity of an effective input: 16 hexadecimal digits, the 64-bit FNV-1a hash of it, without lines that were
+   !> implicit when the first stores were made.
    function input_identity(input) result(identity)
       character(len=*), intent(in) :: input
       character(len=16) :: identity

@@ -13,9 +13,9 @@ module ehlwave_key_applicability
 
 contains
 
-   !> Refuse a key that is given, says something and does not apply, or does not count with another value than its
-   !> default; one that may idle gets its default instead and counts as not given. One that is about how the case is
-   !> solved is noted in place of it. Call it when radius_ratio_d and the slip are known.
+   !> Refuse a given key that does not apply, or has no effect with another value than its default. A key that may
+   !> idle gets its default instead and counts as not given. A setting of the solution is noted instead. Call it
+   !> when radius_ratio_d and the slip are known.
    subroutine check_applicability(input, error)
       type(case_input_t), intent(inout) :: input
       type(error_t), allocatable, intent(inout) :: error
@@ -27,10 +27,10 @@ contains
       end associate
    end subroutine check_applicability
 
-   !> The same where there may be such a key.
+   !> Drop idle keys, where there may be any.
    subroutine drop_idle(input, given, error)
       type(case_input_t), intent(inout) :: input
-      type(key_list_t), intent(in) :: given        !! of the case
+      type(key_list_t), intent(in) :: given        !! keys of the case
       type(error_t), allocatable, intent(inout) :: error
       type(key_list_t) :: defaults
       character(len=:), allocatable :: idle

@@ -1,4 +1,4 @@
-!> Values that are allowed for a key: one check of kind, bounds and choices for namelists, lists and tables alike.
+!> Allowed values of a key: a common check of kind, bounds and choices for namelists, lists and tables.
 module ehlwave_key_bounds
    use ehlwave_case_key, only: choice_length, key_t, key_value_t, number_kind, truth_kind, whole_kind, word_kind, &
       words_of
@@ -13,8 +13,8 @@ module ehlwave_key_bounds
 
 contains
 
-   !> Value of a key as written in an input. `problem` is left unallocated when it may be used; otherwise it says what
-   !> is wrong and what to write instead, and `value` is as before.
+   !> Value of a key as written in an input. `problem` is left unallocated when it may be used; otherwise it holds the
+   !> problem and the correct form, and `value` is as before.
    subroutine read_key(key, item, value, problem)
       type(key_t), intent(in) :: key
       type(value_t), intent(in) :: item
@@ -59,14 +59,14 @@ contains
       end select
    end function is_allowed
 
-   !> Whether a value says that there is none: 0, false or '' where that is the default, too.
+   !> Whether a value means none: 0, false or '' where this is the default, too.
    pure logical function is_none(value, default)
       type(key_value_t), intent(in) :: value, default
       is_none = max(abs(value%number), abs(default%number)) <= 0
       if (value%kind == word_kind) is_none = len(value%word) == 0 .and. len(default%word) == 0
    end function is_none
 
-   !> Whether what is written says that there is none; a required key never does.
+   !> Whether a written value means none; for a required key never.
    logical function says_none(key, item, default)
       type(key_t), intent(in) :: key
       type(value_t), intent(in) :: item
@@ -114,7 +114,7 @@ contains
    function bounds_text(key) result(text)
       type(key_t), intent(in) :: key
       character(len=:), allocatable :: text
-      character(len=:), allocatable :: list       ! every part with what joins it to the one before
+      character(len=:), allocatable :: list       ! every part with its link to the previous part
       character(len=choice_length), allocatable :: words(:)
       integer :: i
 

@@ -13,7 +13,7 @@ module ehlwave_key_json
 
 contains
 
-   !> All keys of a case in one object on one line: {"keys": [{"group": ..., "name": ..., ...}, ...]}, in the order of
+   !> All keys of a case as an object on a line: {"keys": [{"group": ..., "name": ..., ...}, ...]}, in the order of
    !> the reference.
    function case_key_json() result(text)
       character(len=:), allocatable :: text
@@ -28,8 +28,8 @@ contains
       text = '{"keys": ['//text(3:)//']}'
    end function case_key_json
 
-   !> The facts about a key. A bound that it does not have is null, and so is a default that is no value:
-   !> `default_text` tells both in the words of the reference.
+   !> Properties of a key. A missing bound is null, and so is a default that is no value: `default_text` has both as
+   !> in the reference.
    function key_json(key, default) result(text)
       type(key_t), intent(in) :: key
       type(key_value_t), intent(in) :: default

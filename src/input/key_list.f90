@@ -79,7 +79,7 @@ contains
       if (.not. self%gives_back) call self%add(key, value)
    end subroutine see
 
-   !> Append a key of the group, with what is common to all that follow there.
+   !> Append a key of the group, with the common properties.
    subroutine add(self, key, value)
       class(key_list_t), intent(inout) :: self
       type(key_t), intent(in) :: key

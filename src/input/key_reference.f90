@@ -20,7 +20,7 @@ contains
       text = key_reference(case_key_list(), is_markdown)
    end function case_key_reference
 
-   !> Reference of the keys of a list; before the first of a group what the group is.
+   !> Reference of the keys of a list; the first of a group follows a description of the group.
    function key_reference(list, is_markdown) result(text)
       type(key_list_t), intent(in) :: list           !! with the defaults
       logical, intent(in) :: is_markdown
@@ -78,7 +78,7 @@ contains
       if (is_said .and. key%kind == word_kind) is_said = .not. is_none(default, default)
    end function has_default_value
 
-   !> Help, unit, bounds or choices, and to what the key applies.
+   !> Help, unit, bounds or choices, and condition of a key.
    function meaning_of(key) result(text)
       type(key_t), intent(in) :: key
       character(len=:), allocatable :: text, bounds

@@ -17,7 +17,7 @@ module ehlwave_equations
    implicit none (type, external)
    private
 
-   !> Work space of their evaluation, with what is given: data of a level or, in a multigrid cycle, right sides from a
+   !> Work space of their evaluation, with given data: data of a level or, in a multigrid cycle, right sides from a
    !> finer grid. All arrays (0:nx, 0:ny), zero or false off the unknown nodes.
    type, public :: equations_t
       type(mesh_t) :: mesh

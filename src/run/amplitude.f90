@@ -17,9 +17,9 @@ contains
       sampled_amplitude = 0.5_dp*(maxval(film) - minval(film))
    end function sampled_amplitude
 
-   !> Least squares fit of mean + c cos(omega T) + s sin(omega T); returns c + i s, which stands for the real part of
-   !> (c + i s) exp(-i omega T) and has the amplitude of the wave as its modulus. NaN where the samples do not determine
-   !> these three numbers: fewer than three of them, or all at two phases of the wave only (two time steps per period).
+   !> Least squares fit of mean + c cos(omega T) + s sin(omega T); returns c + i s, for the real part of (c + i s)
+   !> exp(-i omega T) and has the amplitude of the wave as its modulus. NaN where the samples do not determine these
+   !> three numbers: fewer than three of them, or all at two phases of the wave only (two time steps per period).
    pure complex(dp) function fitted_harmonic(time, film, period)
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
@@ -29,8 +29,7 @@ contains
       fitted_harmonic = cmplx(c(2), c(3), dp)
    end function fitted_harmonic
 
-   !> The same of waves of several periods at once: each part is that of its own wave, as far as the samples tell them
-   !> apart.
+   !> Fit of waves of several periods at once: each part belongs to its own wave, as far as the samples resolve them.
    pure function fitted_harmonics(time, film, periods) result(parts)
       real(dp), intent(in) :: time(:), film(:), periods(:)
       complex(dp) :: parts(size(periods))
@@ -39,9 +38,8 @@ contains
       parts = cmplx(c(2::2), c(3::2), dp)
    end function fitted_harmonics
 
-   !> Mean of an oscillation whose samples need not fill whole periods: that of the same fit. Where there is none, the
-   !> mean of the samples, which is off by up to the amplitude over their number for each part of a period that is
-   !> missing.
+   !> Mean of an oscillation whose samples need not fill whole periods, from the same fit. Without a fit it is the
+   !> mean of the samples, whose error is up to the amplitude over their number for each missing part of a period.
    pure real(dp) function fitted_mean(time, film, periods)
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times

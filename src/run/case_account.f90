@@ -1,4 +1,4 @@
-!> The account that a case keeps: a result that is blank at first and takes in one solution after the other.
+!> The account of a case: a result that is blank at first and accumulates solutions.
 module ehlwave_case_account
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_case_definition, only: case_t
@@ -48,7 +48,7 @@ contains
       result%message = reason
    end function refused_result
 
-   !> Add one solution to the account of the case.
+   !> Add a solution to the account of the case.
    subroutine take_report(report, what, result)
       type(solve_report_t), intent(in) :: report
       character(len=*), intent(in) :: what

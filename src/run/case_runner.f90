@@ -14,11 +14,9 @@ module ehlwave_case_runner
    use ehlwave_heat_result, only: warm_fields
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
-   use ehlwave_layer_change, only: layer_changes
    use ehlwave_march_case, only: run_moving
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
-   use ehlwave_oil_passage, only: follow_oil, oil_passage_t
    use ehlwave_plan_effort, only: most_work
    use ehlwave_planned_case, only: case_plan_t, run_march, run_standing
    use ehlwave_resolution, only: add_reason, closing_reason, touching_reason
@@ -64,7 +62,6 @@ contains
       type(case_result_t), intent(out) :: result
       class(march_keeper_t), intent(inout), optional :: keeper
       type(rescue_t) :: rescue
-      type(oil_passage_t) :: last_passage
       logical :: is_found
       character(len=:), allocatable :: unresolved
       real(dp), allocatable :: stress(:, :)   ! tau/ph of the smooth contact
@@ -81,12 +78,11 @@ contains
          if (allocated(steady%heat%unsettled)) result%message = result%message//steady%heat%unsettled
          call monitor%step_done('steady state', 1, 1)
          result%heat = steady%heat
+         result%effects = steady%effects
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, stress, result)
-            if (plan%inlet%is_short()) then
-               call result%starved%take(steady%multigrid%levels, steady%flooded, result%work)
-               call add_warning(result, result%starved%warning(level%problem%grid))
-            end if
+            call result%effects%take(plan, steady%multigrid%levels, result%work)
+            call add_warning(result, result%effects%warning(level%problem%grid))
             result%rolling = steady%rolling
             call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, case%tolerance, result)
             associate (heat => result%heat)
@@ -121,9 +117,7 @@ contains
             allocate (result%y, source=level%problem%grid%y)
             allocate (result%p, source=level%state%p)
             allocate (result%h, source=level%state%h)
-            if (is_success(result%status) .and. plan%inlet%is_short()) &
-               call follow_oil(level%problem, level%given, level%state, last_passage)
-            if (allocated(last_passage%content)) result%starved%content = last_passage%content
+            if (is_success(result%status)) call result%effects%take_fields(plan, level)
             if (is_success(result%status)) &
                call mean_shear_stress(level%problem, level%state, result%shear_stress_pa)
             if (is_success(result%status) .and. allocated(level%problem%heat)) &
@@ -190,7 +184,7 @@ contains
    subroutine compare_with_small_waves(case, result)
       type(case_t), intent(in) :: case
       type(case_result_t), intent(inout) :: result
-      if (layer_changes(case)) return     ! the response is that before
+      if (case%effects%changing() /= '') return     ! the response is that before
       call compare('waves of ', case%amplitude_over_film, result%amplitude_ratio_fit, result%harmonic%ratio)
       call compare('waves on surface 2 of ', case%second%amplitude_over_film, result%pair%ratio_fit, &
                    result%pair%harmonic%ratio)

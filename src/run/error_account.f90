@@ -1,13 +1,14 @@
 !> The error of a result, part by part.
 module ehlwave_error_account
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_accuracy_model, only: expected_meniscus_error, expected_step_error
+   use ehlwave_accuracy_model, only: expected_step_error
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_effects_keys, only: effect_count
+   use ehlwave_effects_plan, only: error_name
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_kinds, only: dp
-   use ehlwave_layer_change, only: layer_changes
    use ehlwave_linear_range, only: is_beyond_linear, linear_limit_text
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_text, only: to_text
@@ -28,7 +29,7 @@ contains
       type(case_result_t), intent(inout) :: result
 
       result%film_errors = error_parts_t(mesh=result%central_film_error, &
-                                         domain=plan%film_domain_error + result%starved%edge_error, &
+                                         domain=plan%film_domain_error + result%effects%edge_error(), &
                                          algebraic=case%tolerance &
                                          *merge(multigrid_share, steady_share, case%method == 'fas'))
       if (case%method == 'fas') result%minimum_film_error = result%minimum_film_error + smallest_share*case%tolerance
@@ -38,26 +39,9 @@ contains
          result%ratio_errors = error_parts_t(mesh=result%response_error(), domain=plan%domain_error, &
                                              algebraic=case%response_tolerance)
       end if
-      if (plan%inlet%is_short()) call add_meniscus(case, plan, result)
+      call result%effects%add_errors(case, plan, result%film_errors, result%ratio_errors)
       result%error_estimate = error_asked_for(case, merge(result%ratio_errors, result%film_errors, case%has_ratio()))
    end subroutine take_errors
-
-   !> Add the part of the meniscus. Of the film that is the error of R, which grids tell, as that of the film.
-   subroutine add_meniscus(case, plan, result)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      type(case_result_t), intent(inout) :: result
-      real(dp) :: distance
-
-      if (ieee_is_finite(result%starved%film_over_flooded_error)) then
-         result%film_errors%meniscus = result%starved%film_over_flooded_error
-         result%film_errors%mesh = max(0.0_dp, result%film_errors%mesh - result%film_errors%meniscus)
-      end if
-      if (layer_changes(case)) result%ratio_errors%meniscus = plan%expected%meniscus   ! it is measured with another one
-      if (layer_changes(case) .or. .not. ieee_is_finite(result%starved%passage%meniscus_x)) return
-      distance = max(plan%hx, -1 - result%starved%passage%meniscus_x)
-      if (result%ratio_errors%mesh > 0) result%ratio_errors%meniscus = expected_meniscus_error(plan%hx/distance)
-   end subroutine add_meniscus
 
    !> Errors of Ad/Ai of waves in time, or of a standing pattern.
    function errors_in_time(case, plan, result) result(parts)
@@ -74,7 +58,7 @@ contains
       if (result%amplitude_error_basis == 'coarse_grid') &
          ! coarser grids take longer steps
          parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)
-      if (ieee_is_finite(result%harmonic%ratio) .and. .not. layer_changes(case)) &
+      if (ieee_is_finite(result%harmonic%ratio) .and. case%effects%changing() == '') &
          parts%amplitude = abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1)
       if (ieee_is_finite(result%pair%harmonic%ratio)) &
          parts%amplitude = max(parts%amplitude, abs(result%pair%ratio_fit/result%pair%harmonic%ratio - 1))
@@ -94,8 +78,11 @@ contains
    function errors_text(parts) result(text)
       type(error_parts_t), intent(in) :: parts
       character(len=:), allocatable :: text
+      integer :: k
       text = 'mesh '//to_text(parts%mesh, 2)
-      if (parts%meniscus > 0) text = text//', meniscus '//to_text(parts%meniscus, 2)
+      do k = 1, effect_count
+         if (parts%by_effect(k) > 0) text = text//', '//error_name(k)//' '//to_text(parts%by_effect(k), 2)
+      end do
       text = text//', domain '//to_text(parts%domain, 2)
       if (parts%time > 0) text = text//', time steps '//to_text(parts%time, 2)
       if (parts%amplitude > 0) text = text//', amplitude '//to_text(parts%amplitude, 2)

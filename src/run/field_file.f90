@@ -63,14 +63,7 @@ contains
             'mean of the shear stresses at the two surfaces along x, last solution', 'x', 'y')
          if (allocated(result%rise_k)) call write_temperatures(file, result%rise_k)
       end if
-      if (allocated(result%starved%content)) then
-         call file%write('content', result%starved%content, '1', &
-            'theta, share of the gap that oil fills, last solution', 'x', 'y')
-         call file%write('layer_offered', result%starved%passage%offered, '1', &
-            'oil that enters across Y, layer over c, smooth contact', 'y')
-         call file%write('layer_behind', result%starved%passage%behind, '1', &
-            'oil that leaves behind the contact across Y, layers of both surfaces over c, smooth contact', 'y')
-      end if
+      call result%effects%write_fields(file)
       if (allocated(result%history%p)) call write_history(file, result%history)
       call write_response(file, result%harmonic, '')
       call write_response(file, result%pair%harmonic, '_2')

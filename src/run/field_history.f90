@@ -1,4 +1,4 @@
-!> Fields of a march over time: those of every so many steps.
+!> Fields of a march over time, at a fixed number of steps.
 module ehlwave_field_history
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
@@ -13,7 +13,7 @@ module ehlwave_field_history
       real(dp), allocatable :: p(:, :, :), h(:, :, :)    !! (0:nx, 0:ny, sets)
       real(dp), allocatable :: shear_stress_pa(:, :, :)  !! as of `mean_shear_stress`; unallocated where that is not
                                                          !! known
-      integer, private :: every = 0                      ! steps from one set to the next
+      integer, private :: every = 0                      ! steps between sets
    contains
       procedure :: begin
       procedure :: see
@@ -22,10 +22,10 @@ module ehlwave_field_history
 
 contains
 
-   !> Make room for what a march of so many steps gives.
+   !> Allocate the fields of a march of so many steps.
    subroutine begin(self, level, every, steps)
       class(field_history_t), intent(inout) :: self
-      type(level_t), intent(in) :: level            !! that is marched
+      type(level_t), intent(in) :: level            !! level of the march
       integer, intent(in) :: every, steps           !! above 0
       integer :: sets
 
@@ -38,7 +38,7 @@ contains
       end associate
    end subroutine begin
 
-   !> Keep the fields of a step if it is one of those.
+   !> Keep the fields of a step that is due.
    subroutine see(self, level, step, time)
       class(field_history_t), intent(inout) :: self
       type(level_t), intent(in) :: level

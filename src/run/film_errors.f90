@@ -41,17 +41,9 @@ module ehlwave_film_errors
    !> 96 cells were off by 6 and 10 of it, an averaged one of M = 32 with 96 x 96 cells by 6.
    real(dp), parameter :: fitted_sum = 7, sum_factor = 4
 
-   !> The nearer the meniscus, the less coarse grids tell. Of 84 random contacts with too little oil four were off by
-   !> more than 1.16 times the estimate; three of them had R = 0.16 to 0.27 and were off by 1.2 to 1.6 times that.
-   !> One whose gap is full from the inlet edge on, where the oil meets a wider gap, was off by 2.2 times.
-   real(dp), parameter :: starved_share = 0.5_dp   !! of 1 - R
-   real(dp), parameter :: full_margin = 2
-   !> Least error of R over that of the film, which counts up to `largest_film_error`: grids can agree by chance. Of 215
-   !> random R 72 were off by more than grids say, by up to four times. With this share, the factors of the film, and
-   !> `full_margin` where the gap is full from the inlet edge on, one of 172 was off by more, by 1.05 times.
-   real(dp), parameter :: ratio_share = 0.1_dp, largest_film_error = 0.2_dp
-   !> Order with two grids: one with a meniscus was off by 3 times what the second order says (S = 0.26, R = 0.33).
-   real(dp), parameter :: starved_order = 1
+   !> Order with two grids where errors are of first order: a film with a meniscus was off by 3 times what the second
+   !> order says (S = 0.26, R = 0.33).
+   real(dp), parameter :: first_order = 1
 
    !> Largest P above which coarse grids tell less of the film: of 1573 random contacts one with P = 1.96 (M = 30, D =
    !> 0.09) was off by 1.6 times the estimate.
@@ -104,11 +96,11 @@ contains
       if (plan%is_fitted) result%central_film_error = &
          max(centre_share*(plan%hx**2 + plan%hy**2), result%central_film_error)
       if (ieee_is_finite(result%heat%isothermal_film)) call add_steepness(plan, result)
-      call spread_ratio(multigrid%levels(n)%problem%grid, result)
+      call result%effects%widen_errors(multigrid%levels(n)%problem%grid, result%central_film_error)
       call add_domain(plan, multigrid%levels(n), result)
    end subroutine estimate_film_errors
 
-   !> Add what the edges of a flooded domain leave, and a short inlet of a starved contact: in the smallest film as in
+   !> Add what the edges of a flooded domain leave, and one that is too short for an effect: in the smallest film as in
    !> that of the centre, whose part is counted apart, and in the friction the oil outside as well, theory eq. (T11).
    !> Truncated edges are what was asked for.
    subroutine add_domain(plan, level, result)
@@ -116,16 +108,13 @@ contains
       type(level_t), intent(in) :: level             !! the finest
       type(case_result_t), intent(inout) :: result
       real(dp) :: left, outside, short     ! short: by an inlet that is too short
-      logical :: lacks_oil
 
       left = merge(plan%film_domain_error, 0.0_dp, level%problem%grid%is_flooded)
-      short = merge(result%starved%edge_error, 0.0_dp, level%problem%grid%is_flooded)
+      short = merge(result%effects%edge_error(), 0.0_dp, level%problem%grid%is_flooded)
       result%minimum_film_domain_error = smallest_domain_share*left + short
       result%minimum_film_error = result%minimum_film_error + result%minimum_film_domain_error
-      lacks_oil = ieee_is_finite(result%starved%film_over_flooded)
-      if (lacks_oil) lacks_oil = result%starved%is_full_to_edge(level%problem%grid)
       call result%rolling%add_errors(result%central_film_error, left + short, result%heat%film_error(), &
-                                     lacks_oil)
+                                     result%effects%lacks_oil_outside(level%problem%grid))
       if (.not. ieee_is_finite(result%friction_error)) return
       outside = friction_outside(level%problem, level%state, &
                                  max(fewest_domains, plan%conditions%radius_over_a()/abs(plan%x_min)))
@@ -145,12 +134,12 @@ contains
       result%film_error_basis = 'coarse_grid'
       result%film_order = observed_order(levels%central_film)
       result%central_film_error = estimate_error(levels%central_film, &
-                                                 merge(starved_order, formal_order, plan%inlet%is_short()))
+                                                 merge(first_order, formal_order, plan%effects%are_first_order()))
       if (.not. ieee_is_finite(result%central_film_error)) return
       least = 0
       if (plan%is_fitted) least = merge(least_share, thinning_share, plan%rheology%is_newtonian())* &
                                   plan%expected_film_mesh_error()
-      result%central_film_error = limit_spread(plan, result)*starved_spread(result)* &
+      result%central_film_error = limit_spread(plan, result)*result%effects%error_factor()* &
                                   max(1.0_dp, result%max_pressure/high_spike)*max(least, result%central_film_error)
       result%minimum_film_error = estimate_error(levels%minimum_film, &
                                                  likely_order(result%film_order, plan%resolution, plan%steepness))
@@ -166,7 +155,7 @@ contains
       type(case_result_t), intent(inout) :: result
       result%film_error_basis = 'model'
       result%central_film_error = merge(thinning_margin, film_margin, plan%is_fitted .and. .not. &
-                                        plan%rheology%is_newtonian())*starved_spread(result)* &
+                                        plan%rheology%is_newtonian())*result%effects%error_factor()* &
                                   plan%model_margin(result%max_pressure)*plan%expected_film_mesh_error()
       result%minimum_film_error = of_found(minimum_margin*result%central_film_error) + between
    end subroutine estimate_by_model
@@ -208,29 +197,6 @@ contains
          call add_warning(result, 'friction is not known on this grid, so none is given')
       end if
    end subroutine estimate_friction
-
-   !> Factor of the error of a film of too little oil.
-   pure real(dp) function starved_spread(result) result(spread)
-      type(case_result_t), intent(in) :: result
-      spread = 1
-      if (.not. ieee_is_finite(result%starved%film_over_flooded)) return
-      spread = 1 + starved_share*max(0.0_dp, 1 - result%starved%film_over_flooded)
-      if (.not. ieee_is_finite(result%starved%passage%meniscus_x)) spread = full_margin
-   end function starved_spread
-
-   !> Widen the error of R as that of the film is, once that is known.
-   subroutine spread_ratio(grid, result)
-      type(grid_t), intent(in) :: grid
-      type(case_result_t), intent(inout) :: result
-      real(dp) :: spread
-
-      associate (error => result%starved%film_over_flooded_error)
-         if (.not. ieee_is_finite(error)) return
-         spread = starved_spread(result)
-         if (result%starved%is_full_to_edge(grid)) spread = full_margin
-         error = max(spread*error, ratio_share*min(largest_film_error, result%central_film_error))
-      end associate
-   end subroutine spread_ratio
 
    !> Factor of errors where the stress is far beyond its limit at the centre, where grids and models tell less. Films
    !> of three such line contacts of 45 with a limit were off by 1.1, 1.3 and 8 times the estimate, a response of a

@@ -5,6 +5,7 @@ module ehlwave_harmonic_case
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_effect_keys, only: by_second_order
    use ehlwave_error_estimate, only: formal_order, likely_order
    use ehlwave_film_errors, only: limit_spread
    use ehlwave_harmonic_response, only: harmonic_response_t
@@ -96,7 +97,7 @@ contains
          return
       end if
       call harmonic%take(response%film, response%pressure, response%approach)
-      if (case%mean_rise .and. .not. plan%inlet%is_short()) then
+      if (case%mean_rise .and. .not. case%effects%refuse(by_second_order)) then
          room = -steady%multigrid%work()
          call steady%make_room(keeps_response=case%sensitivities .or. plan%kind /= run_harmonic .or. &
                                size(plan%surfaces%list) > 1)

@@ -20,9 +20,9 @@ module ehlwave_harmonic_result
                      pressure_limit = (no_value, no_value)
       real(dp) :: error = no_value           !! estimated discretisation error of `ratio` and bound for `extrapolated`,
                                              !! relative
-      character(len=12) :: error_basis = ''  !! what that is from: 'coarse_grid' or 'model'
+      character(len=12) :: error_basis = ''  !! basis of the error: 'coarse_grid' or 'model'
       integer :: linear_steps = 0            !! GMRES steps on the grid of the case
-      real(dp) :: work_units = no_value      !! of the response on the grid of the case, without the steady state
+      real(dp) :: work_units = no_value      !! work of the response on the grid of the case, without the steady state
       real(dp) :: counted_work_units = no_value   !! the same, counted
       real(dp) :: mean_rise = no_value       !! change of the mean of H(0,0) over Ai, second order, for the Ai of the
                                              !! case
@@ -31,7 +31,7 @@ module ehlwave_harmonic_result
       logical, allocatable :: surfaces_touch !! mean film and rise do not exceed the amplitude somewhere; unallocated:
                                              !! not known
       real(dp) :: smallest_film_x = no_value, smallest_film_y = no_value   !! where it is
-      type(two_wave_result_t) :: waves       !! of which the film consists under slip
+      type(two_wave_result_t) :: waves       !! waves of the film under slip
       complex(dp), allocatable :: p(:, :), h(:, :)   !! amplitudes of P and H over Ai, if asked for
    contains
       procedure :: take
@@ -39,7 +39,7 @@ module ehlwave_harmonic_result
       procedure :: extrapolate
    end type harmonic_result_t
 
-   real(dp), parameter :: error_ratio = 4   !! of a second-order scheme on two grids, mesh sizes 2 to 1
+   real(dp), parameter :: error_ratio = 4   !! ratio of errors of a second-order scheme on two grids, mesh sizes 2 to 1
 
 contains
 
@@ -55,7 +55,7 @@ contains
       self%approach_ratio = abs(approach)
    end subroutine take
 
-   !> Take what waves of an amplitude Ai, in units of c, change in the mean.
+   !> Take the change of the mean by waves of an amplitude Ai, in units of c.
    pure subroutine take_mean(self, change, amplitude)
       class(harmonic_result_t), intent(inout) :: self
       type(mean_change_t), intent(in) :: change
@@ -67,8 +67,8 @@ contains
       self%smallest_film_y = change%smallest_at(2)
    end subroutine take_mean
 
-   !> Richardson extrapolation of the complex transfer functions from the grid of the case and one with twice the mesh
-   !> size: T + (T - T_coarse)/3. The size of a correction of that order, 2 or less, is the error estimate.
+   !> Richardson extrapolation of the complex transfer functions from the grid of the case and a grid with twice the
+   !> mesh size: T + (T - T_coarse)/3. The size of a correction of that order, 2 or less, is the error estimate.
    pure subroutine extrapolate(self, coarse_film, coarse_pressure, order)
       class(harmonic_result_t), intent(inout) :: self
       complex(dp), intent(in) :: coarse_film, coarse_pressure

@@ -16,8 +16,8 @@ module ehlwave_heat_result
    type, public :: heat_result_t
       real(dp) :: isothermal_friction = no_value, isothermal_film = no_value   !! friction, H(0,0) without it
       real(dp) :: largest_mid_k = no_value, largest_wall_k(2) = no_value       !! rises over T0
-      real(dp) :: centre_mid_k = no_value, centre_wall_k(2) = no_value         !! the same at X = Y = 0
-      real(dp) :: largest_mean_k = no_value                                    !! of the mean across the film
+      real(dp) :: centre_mid_k = no_value, centre_wall_k(2) = no_value         !! values at X = Y = 0
+      real(dp) :: largest_mean_k = no_value                                    !! largest mean across the film
       real(dp) :: into_body_w(2) = no_value                                    !! heat into bodies 1 and 2
       real(dp) :: sheared_w = no_value, compressed_w = no_value                !! heat of shear and of compression
       real(dp) :: carried_w = no_value                                         !! carried off by the oil
@@ -25,8 +25,8 @@ module ehlwave_heat_result
       character(len=:), allocatable :: unsettled    !! why film and temperatures do not agree, if they do not
       real(dp) :: balance_error = no_value                 !! the missing part, over the largest of these
       real(dp) :: levels_error = 0                         !! relative error of film and friction by the levels
-      real(dp) :: frozen_error = no_value                  !! of Ad/Ai over Ai by temperatures that stay as waves pass
-      real(dp) :: peclet(2) = huge(1.0_dp)                 !! of `heat_scales_t`
+      real(dp) :: frozen_error = no_value  !! error of Ad/Ai over Ai by frozen temperatures as waves pass
+      real(dp) :: peclet(2) = huge(1.0_dp)                 !! Peclet numbers of `heat_scales_t`
    contains
       procedure :: take
       procedure :: film_error
@@ -35,13 +35,13 @@ module ehlwave_heat_result
    end type heat_result_t
 
    real(dp), parameter :: no_oil_bears = 0.15_dp    ! friction coefficient
-   !> Peclet number from which on the rise of a surface is that of a fast one within 3 % (Blok, Jaeger).
+   !> Peclet number from which on the rise of a surface equals the fast limit within 3 % (Blok, Jaeger).
    real(dp), parameter :: fast = 5
    ! Error by the levels: measured with 12 and 24 of them
    real(dp), parameter :: level_error = 1e-4_dp, usual_levels = 12
    integer, parameter :: level_order = 3
-   ! Of Ad/Ai over Ai, over beta times the largest rise half-way across: 0.003 to 0.25, once 0.5, was measured between
-   ! marches with temperatures carried on and frozen, as complex numbers
+   ! Error of Ad/Ai over Ai, over beta times the largest rise half-way across: 0.003 to 0.25, once 0.5, was measured
+   ! between marches with temperatures carried on and frozen, as complex numbers
    real(dp), parameter :: by_frozen_heat = 0.25_dp
 
 contains
@@ -52,7 +52,7 @@ contains
       film_error = self%settling + self%levels_error
    end function film_error
 
-   !> Account of the last march at a solution. The balance is that of the film under pressure: heat carried off is the
+   !> Account of the last march at a solution. The balance covers the film under pressure: heat carried off is the
    !> flow of oil through its edges times the rise there.
    subroutine take(self, problem, state, energy)
       class(heat_result_t), intent(inout) :: self
@@ -129,7 +129,7 @@ contains
              'is too high'
    end function warning
 
-   !> Say what did not settle, and what to change.
+   !> Report unsettled values, and the change needed.
    subroutine explain(self, energy)
       class(heat_result_t), intent(inout) :: self
       type(energy_t), intent(in) :: energy

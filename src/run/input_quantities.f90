@@ -7,6 +7,8 @@ module ehlwave_input_quantities
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_effects_keys, only: effect_count
+   use ehlwave_effects_plan, only: error_help, error_name
    use ehlwave_error_account, only: validity_text
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_key_list, only: find_key, key_list_t
@@ -63,8 +65,10 @@ contains
       call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', &
          plan%domain_error)
       call list%add('expected_mesh_error', 'part of it by the mesh', plan%expected%mesh)
-      call list%add('expected_meniscus_error', 'part of it by the meniscus of a contact with too little oil', &
-                    plan%expected%meniscus)
+      do i = 1, effect_count
+         if (error_name(i) /= '') call list%add('expected_'//error_name(i)//'_error', 'part of it by '//error_help(i), &
+                                                plan%expected%by_effect(i))
+      end do
       call list%add('expected_time_error', 'part of it by steps longer than hX', plan%expected%time)
       call list%add('expected_algebraic_error', 'part of it by the tolerances', plan%expected%algebraic)
       call list%add('expected_amplitude_error', 'expected difference from small waves, besides expected_error', &
@@ -77,9 +81,7 @@ contains
       call list%add('cells_x', 'cells along X', plan%cells_x)
       call list%add('cells_y', 'cells along Y, whole domain', plan%cells_y)
       call list%add('inlet_resolution', 'hX over the length of the inlet pressure sweep', plan%resolution%inlet)
-      call list%add('meniscus_resolution', &
-                    'hX over the expected distance of the meniscus from the contact, 0: flooded', &
-                    plan%resolution%meniscus)
+      call plan%effects%add_quantities(list)
       call list%add('inlet_gap_over_film', 'gap at x_min over the film of the formula', plan%resolution%inlet_gap)
       call list%add('points_per_wave_x', 'mesh sizes per wave along X', plan%resolution%points_x)
       call list%add('points_per_wave_y', 'mesh sizes per wave along Y', plan%resolution%points_y)

@@ -4,10 +4,10 @@ module ehlwave_march_case
    use ehlwave_case_account, only: add_warning, end_early, keep_history, worse
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_effects_result, only: effects_result_t
    use ehlwave_energy, only: energy_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_kinds, only: dp, pi
-   use ehlwave_layer_change, only: layer_changes
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_march_result, only: march_result_t
    use ehlwave_march_settings, only: march_settings_t
@@ -36,16 +36,16 @@ module ehlwave_march_case
 contains
 
    !> The pattern that is marched, and its steps.
-   pure function march_settings(case, plan, central_film) result(settings)
+   function march_settings(case, plan, central_film) result(settings)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       real(dp), intent(in) :: central_film      !! smooth H(0,0)
       type(march_settings_t) :: settings
+      type(effects_result_t) :: effects
       settings = march_settings_t(surfaces=plan%surfaces, film=central_film, steps=plan%steps, &
                                   cells_per_step=plan%cells_per_step, steps_per_cell=plan%steps_per_cell, &
-                                  natural_frequency=case%natural_frequency, force=case%load_factor, &
-                                  oil_factor=case%oil_change_factor, oil_change_start=case%oil_change_start, &
-                                  oil_change_length=case%oil_change_length)
+                                  natural_frequency=case%natural_frequency, force=case%load_factor)
+      call effects%set_march(case, settings)
    end function march_settings
 
    !> Tolerance and limits of a time step.
@@ -89,6 +89,7 @@ contains
       class(march_keeper_t), intent(inout), optional :: keeper
       type(march_t) :: march
       type(march_result_t) :: history
+      character(len=:), allocatable :: changing
       integer :: finest
       logical :: keeps
 
@@ -149,8 +150,10 @@ contains
          result%settling = settling_error(case, plan, history, result)
          call add_warning(result, unrest_text(case, plan, result%settling))
       else if (plan%surfaces%moves()) then
-         call add_warning(result, 'no Ad/Ai: &dynamics end_time comes before the waves'//trim(merge( &
-            ' and the change of the layer', repeat(' ', 28), layer_changes(case)))//' have passed and one period more')
+         changing = case%effects%changing()
+         if (changing /= '') changing = ' and the change of '//changing
+         call add_warning(result, 'no Ad/Ai: &dynamics end_time comes before the waves'//changing// &
+            ' have passed and one period more')
       else if (plan%surfaces%is_rough()) then
          call add_warning(result, 'no Ad/Ai of the march: the pattern stands still, and a march follows its film '// &
             'without measuring it; remove &dynamics end_time')

@@ -18,13 +18,13 @@ module ehlwave_periodic_case
 
    !> Change of a film that repeats, over A, for a tolerance of time steps: a step leaves less than its tolerance.
    real(dp), parameter :: changes_per_tolerance = 5
-   real(dp), parameter :: search_share = 0.5_dp   !! of the work that is left, for the search: the march may have to
+   real(dp), parameter :: search_share = 0.5_dp   !! share of the work left, for the search: the march may have to
                                                   !! follow
 
 contains
 
-   !> Seek it, and take its film as that of a march. Where it is not found the result says so, and is otherwise as it
-   !> was but for the effort.
+   !> Search for it, and use its film as a march's. If the search fails the result reports this, and only its effort
+   !> changes.
    subroutine find_periodic_state(case, plan, multigrid, rescue, monitor, result, is_found)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -53,9 +53,9 @@ contains
       is_found = periodic%is_found
       if (is_found) then
          rescue%highest = max(rescue%highest, periodic%march%rescue%highest)
-         ! The amplitude is a fit to samples of one period and depends on where in it they begin, as the film of large
-         ! waves has higher harmonics: they are taken where the march from rest has its own. The pattern is at X = 0 at
-         ! T = 0, that of the march at its start.
+         ! The amplitude is a fit to samples of one period and depends on their start, as the film of large waves has
+         ! higher harmonics: the start is as in the march from rest. The pattern is at X = 0 at T = 0, the pattern of
+         ! the march at its start.
          associate (main => plan%surfaces%list(plan%surfaces%main), dt => plan%dt)
             as_marched = periodic%at_times([(k*dt + main%start/main%slip, k=plan%first_sample, plan%steps)])
          end associate

@@ -10,7 +10,7 @@ module ehlwave_plan_report
    use ehlwave_resolution, only: flooded_inlet_gap
    use ehlwave_scheme_choice, only: averaged_cells
    use ehlwave_surface_plan, only: surface_text
-   use ehlwave_text, only: harmless, to_text
+   use ehlwave_text, only: to_text
    use ehlwave_threads, only: thread_count
    use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
@@ -49,7 +49,7 @@ contains
             'their laws'
          if (extrapolation_text(case, plan%rheology, 1.0_dp) /= '') write (unit, '(a)') '             WARNING: '// &
             extrapolation_text(case, plan%rheology, 1.0_dp)
-         if (plan%inlet%is_short()) write (unit, '(a)') 'Inlet        starved: '//inlet_text(case, plan)
+         call plan%effects%print(unit, case, plan%bare_plan_t)
          write (unit, '(a)') 'Waviness     '//surface_text(case%roughness_t, plan%surfaces%list(1), c)
          if (case%is_pair()) write (unit, '(a)') '  surface 2  '// &
             surface_text(case%second, plan%surfaces%list(2), c)//', speed 2 - S = '//to_text(2 - c%slip_parameter, 6)
@@ -139,21 +139,6 @@ contains
       text = trim(text)//': expect an error of '//to_text(plan%domain_error, 2)//' by the domain'
       if (plan%domain_scale > 1) text = text//', which is enlarged for the accuracy'
    end function edges_text
-
-   function inlet_text(case, plan) result(text)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      character(len=:), allocatable :: text
-      if (case%oil_layer_m > 0) then
-         text = 'layers of oil of '//to_text(case%oil_layer_m*1e6_dp, 5)//' um together'
-      else
-         text = to_text(case%oil_over_flooded, 5)//' of the oil that the flooded contact passes'
-      end if
-      if (case%oil_profile /= '') text = text//', across by '//harmless(trim(case%oil_profile))
-      if (abs(case%oil_change_factor - 1) > 0) text = text//'; changes by '//to_text(case%oil_change_factor, 4)// &
-         ' at T = '//to_text(case%oil_change_start, 4)
-      if (plan%rest > 0) text = text//'; the film should have followed at T = '//to_text(plan%rest, 4)
-   end function inlet_text
 
    function width_text(plan) result(text)
       type(case_plan_t), intent(in) :: plan

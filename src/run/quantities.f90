@@ -8,6 +8,8 @@ module ehlwave_quantities
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_effects_keys, only: effect_count
+   use ehlwave_effects_plan, only: error_help, error_name
    use ehlwave_error_account, only: validity_text
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_heat_result, only: heat_result_t
@@ -16,7 +18,6 @@ module ehlwave_quantities
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_rolling_result, only: rolling_result_t
-   use ehlwave_starved_result, only: starved_result_t
    use ehlwave_status, only: status_name
    use ehlwave_wave_quantities, only: add_pair, add_response, add_sensitivities
    implicit none (type, external)
@@ -39,7 +40,7 @@ contains
       call add_case(list, case, plan)
       call list%add('is_resolved', '1 when the grid resolves the case', result%is_resolved)
       call add_smooth_film(list, plan, result)
-      call add_starvation(list, plan%inlet%is_short(), result%starved)
+      call result%effects%add_quantities(list, plan)
       call add_shear(list, case, plan, result)
       call list%add('load_error', 'largest load error of the solutions', result%load_error)
       call list%add('residual', 'largest mass residual of the solutions', result%residual)
@@ -86,8 +87,12 @@ contains
       type(quantity_list_t), intent(inout) :: list
       character(len=*), intent(in) :: of, what
       type(error_parts_t), intent(in) :: parts
+      integer :: k
       call list%add(of//'_error_mesh', 'relative error of '//what//' by the mesh', parts%mesh)
-      call list%add(of//'_error_meniscus', 'the same by the meniscus of a contact with too little oil', parts%meniscus)
+      do k = 1, effect_count
+         if (error_name(k) /= '') call list%add(of//'_error_'//error_name(k), 'the same by '//error_help(k), &
+                                                parts%by_effect(k))
+      end do
       call list%add(of//'_error_domain', 'the same by the edges of the domain', parts%domain)
       call list%add(of//'_error_time', 'the same by steps longer than hX', parts%time)
       call list%add(of//'_error_amplitude', 'the same by the size of the waves, which respond unlike small ones', &
@@ -115,29 +120,6 @@ contains
             exists=c%has_dimensions)
       end associate
    end subroutine add_smooth_film
-
-   subroutine add_starvation(list, is_short, starved)
-      type(quantity_list_t), intent(inout) :: list
-      logical, intent(in) :: is_short
-      type(starved_result_t), intent(in) :: starved
-
-      call list%add('film_over_flooded', 'R, central_film over flooded_central_film', starved%film_over_flooded, &
-                    exists=is_short)
-      call list%add('film_over_flooded_error', 'estimated relative error of film_over_flooded by the mesh', &
-                    starved%film_over_flooded_error, exists=is_short, error_of='film over flooded R')
-      call list%add('flooded_central_film', 'H(0,0) of the flooded contact with the same domain and edges', &
-                    starved%flooded_film, exists=is_short)
-      call list%add('oil_offered', 'r at Y = 0, oil offered over what the flooded contact passes', &
-                    starved%oil_over_flooded, exists=is_short)
-      call list%add('mass_balance_error', 'oil lost or gained over oil that enters', starved%passage%balance_error, &
-                    exists=is_short)
-      call list%add('side_flow', 'share of the oil that leaves over the sides', starved%passage%side_flow, &
-                    exists=is_short)
-      call list%add('meniscus_x', 'X at Y = 0 from which on the gap is full', starved%passage%meniscus_x, &
-                    exists=is_short)
-      call list%add('starved_over_flooded_work', 'counted work of the starved solve over that of the flooded one', &
-                    starved%solve_over_flooded, exists=is_short)
-   end subroutine add_starvation
 
    subroutine add_shear(list, case, plan, result)
       type(quantity_list_t), intent(inout) :: list

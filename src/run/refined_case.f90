@@ -136,7 +136,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
-      character(len=:), allocatable :: text
+      character(len=:), allocatable :: by_effect, text
       type(error_parts_t) :: parts
       real(dp) :: others
 
@@ -145,8 +145,9 @@ contains
       text = ': ask for less, or leave cells and domain to the plan with a larger largest_cells '// &
          '(and &solver largest_total_steps, where a finer run would take a case beyond '//to_text(most_work, 3)// &
          ' times its plan)'
-      if (.not. case%has_ratio() .and. result%starved%edge_error > 0.5_dp*parts%total()) text = &
-         ': the gap is full from the inlet edge on: take &grid x_min below '//to_text(plan%x_min, 4)
+      by_effect = ''
+      if (.not. case%has_ratio()) by_effect = result%effects%advice(plan, parts%total())
+      if (by_effect /= '') text = ': '//by_effect
       if (parts%amplitude > others) text = ': take Ai (amplitude_over_film) below '//linear_limit_text(case)// &
          ", or response = 'harmonic'"
       if (parts%settling > max(others, parts%amplitude)) text = ': take more settling_periods, or a later end_time'

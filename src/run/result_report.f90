@@ -28,7 +28,7 @@ contains
       if (result%rung /= 'direct') write (unit, '(a)') 'Rescue       '//trim(result%rung)//', '// &
          to_text(result%rescued_solutions)//' solutions rescued'
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
-      if (ieee_is_finite(result%starved%film_over_flooded)) call print_starvation()
+      call result%effects%print(unit)
       call print_shear()
       if (plan%surfaces%is_measured() .and. is_solved(result%status)) then
          if (plan%first_sample < result%time_steps) write (unit, &
@@ -151,24 +151,6 @@ contains
             end associate
          end do
       end subroutine print_sensitivities
-
-      subroutine print_starvation()
-         associate (s => result%starved)
-            write (unit, '(a)') 'Starvation   film over flooded R = '//to_text(s%film_over_flooded, 5)// &
-               ', oil over flooded r = '//to_text(s%oil_over_flooded, 5)//', flooded H(0,0) = '// &
-               to_text(s%flooded_film, 6)
-            write (unit, '(a)') '             '//meniscus_text()//', over the sides '// &
-               to_text(100*s%passage%side_flow, 3)//' % of the oil, mass balance '// &
-               to_text(s%passage%balance_error, 2)
-         end associate
-      end subroutine print_starvation
-
-      function meniscus_text() result(text)
-         character(len=:), allocatable :: text
-         text = 'gap full from the inlet edge'
-         if (ieee_is_finite(result%starved%passage%meniscus_x)) &
-            text = 'gap full from X = '//to_text(result%starved%passage%meniscus_x, 4)
-      end function meniscus_text
 
       subroutine print_shear()
          associate (r => result%shear)

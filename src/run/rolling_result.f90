@@ -27,17 +27,17 @@ module ehlwave_rolling_result
 
    integer, parameter :: fewest_domains = 2        !! out to which oil counts, at least
    real(dp), parameter :: mesh_margin = 2           !! of what grids show
-   real(dp), parameter :: starved_order = 1        !! with two grids
+   real(dp), parameter :: first_order = 1          !! with two grids
    real(dp), parameter :: film_share = 0.25_dp     !! of the film error, at least: grids can agree by chance
    real(dp), parameter :: far_share = 0.03_dp      !! error of the far field, over what it contributes
 
 contains
 
    !> Account of a steady solution. Oil outside the domain counts out to Rx, where bodies are no longer paraboloids.
-   subroutine take(self, levels, is_starved)
+   subroutine take(self, levels, is_first_order)
       class(rolling_result_t), intent(inout) :: self
       type(level_t), intent(in) :: levels(:)   !! finest first
-      logical, intent(in) :: is_starved        !! whether it has a meniscus, whose place is of first order
+      logical, intent(in) :: is_first_order    !! whether errors by the mesh are
       real(dp) :: all_outside, outside, shift(size(levels)), times
       integer :: l
 
@@ -52,7 +52,7 @@ contains
          self%pressure_centre_x = -shift(1)
          self%share_outside = outside/shift(1)
          self%share_missing = (all_outside - outside)/shift(1)
-         self%error = mesh_margin*estimate_error(shift, merge(starved_order, formal_order, is_starved))
+         self%error = mesh_margin*estimate_error(shift, merge(first_order, formal_order, is_first_order))
          if (problem%conditions%radius_over_a() > 0) &
             self%coefficient = shift(1)/(2*problem%conditions%radius_over_a())
       end associate

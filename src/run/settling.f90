@@ -4,7 +4,6 @@ module ehlwave_settling
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_kinds, only: dp, no_value, pi
-   use ehlwave_layer_change, only: layer_changes
    use ehlwave_march_result, only: march_result_t
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_surfaces, only: surfaces_t
@@ -55,9 +54,9 @@ contains
    end function settling_error
 
    !> Whether more than the waves moves the film.
-   elemental logical function is_moved_besides(case)
+   logical function is_moved_besides(case)
       type(case_t), intent(in) :: case
-      is_moved_besides = layer_changes(case) .or. abs(case%load_factor - 1) > 0 .or. &
+      is_moved_besides = case%effects%changing() /= '' .or. abs(case%load_factor - 1) > 0 .or. &
                          case%load_balance == 'equation_of_motion'
    end function is_moved_besides
 

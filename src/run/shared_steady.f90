@@ -2,6 +2,7 @@
 module ehlwave_shared_steady
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_text, only: effective_input
+   use ehlwave_effects_result, only: effects_result_t
    use ehlwave_energy, only: energy_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
@@ -16,7 +17,6 @@ module ehlwave_shared_steady
    use ehlwave_shear_stress, only: friction_at
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
-   use ehlwave_starvation, only: flooded_t, starve
    use ehlwave_status, only: status_converged
    use ehlwave_steady_tangent, only: tangent_change_t
    use ehlwave_text, only: to_text
@@ -40,7 +40,7 @@ module ehlwave_shared_steady
       logical :: has_coarse = .false.
       integer :: many_nodes = 1000000                !! above which linear systems are not kept side by side
       real(dp) :: work = 0                           !! operations that the steady state took
-      type(flooded_t) :: flooded                     !! of a starved contact, whose state is that of the levels
+      type(effects_result_t) :: effects              !! of the steady state
       real(dp), private :: linear_work = 0, derivative_work = 0   ! and what is kept with it
       real(dp), private :: kept_work = 0, mark = 0   ! of the case at hand: what others did for it; count at its start
       logical, private :: is_linearised = .false., is_differentiated = .false.
@@ -117,16 +117,13 @@ contains
       self%mark = 0
       self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps, work_left=plan%largest_work)
       call self%rescue%solve_steady(self%multigrid, limits_of(case), coarse_tolerance)
-      associate (report => self%multigrid%levels(size(self%multigrid%levels))%report)
-         if (plan%inlet%is_short() .and. report%status == status_converged) &
-            call starve(self%rescue, self%multigrid, plan%inlet, limits_of(case), coarse_tolerance, self%flooded)
-      end associate
+      call self%effects%solve(plan, self%multigrid, self%rescue, limits_of(case), coarse_tolerance)
       if (case%heat%is_given()) call warm(self, case, plan)
       ! before `linearise` solves the coarser level again, so that kept states have the same error
       self%rolling = rolling_result_t()
       associate (levels => self%multigrid%levels)
          if (levels(size(levels))%report%status == status_converged) &
-            call self%rolling%take(levels(size(levels):1:-1), plan%inlet%is_short())
+            call self%rolling%take(levels(size(levels):1:-1), plan%effects%are_first_order())
       end associate
       self%work = self%multigrid%work()
    end subroutine prepare

@@ -14,11 +14,11 @@ module ehlwave_shear_result
 
    !> Unknown values are NaN: friction without E' or pressure, temperatures without lengths.
    type, public :: shear_result_t
-      real(dp) :: friction_coefficient = no_value   !! above 0 where surface 1, the wavy one, is the faster one
-      real(dp) :: cancellation = 1                  !! friction that stresses of one sign would have, over it
+      real(dp) :: friction_coefficient = no_value   !! above 0 where surface 1, the wavy surface, is faster
+      real(dp) :: cancellation = 1                  !! friction by stresses of equal sign, over it
       real(dp) :: largest_b = no_value              !! largest |B| where P > 0; NaN of a Newtonian oil
       real(dp) :: tangent_factor(2) = no_value      !! at the centre, along X and along Y; 1 of a Newtonian oil
-      real(dp) :: share_beyond_limit = no_value     !! of the load, borne where |tau| is above its limit
+      real(dp) :: share_beyond_limit = no_value     !! share of the load where |tau| is above its limit
       type(warm_inlet_t) :: inlet                   !! estimated effect of its own shear on the inlet
       real(dp) :: contact_rise_k = no_value         !! estimated temperature rise of the oil in the contact
    contains
@@ -28,9 +28,9 @@ module ehlwave_shear_result
    end type shear_result_t
 
    real(dp), parameter :: usual_limit = 0.08_dp     !! largest |tau|/p that oils bear
-   real(dp), parameter :: much_load = 0.01_dp       ! of a share beyond the limit,
-   real(dp), parameter :: thin_film = 0.98_dp       ! of the film factor of the inlet,
-   real(dp), parameter :: warm_contact_k = 10       ! viscosity falls by a third: what makes a warning
+   real(dp), parameter :: much_load = 0.01_dp       ! least share beyond the limit,
+   real(dp), parameter :: thin_film = 0.98_dp       ! least film factor of the inlet,
+   real(dp), parameter :: warm_contact_k = 10       ! viscosity falls by a third: reason for a warning
 
 contains
 

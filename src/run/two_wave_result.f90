@@ -10,12 +10,12 @@ module ehlwave_two_wave_result
    private
    public :: new_two_wave_result
 
-   real(dp), parameter :: half_window = 0.5_dp      ! of X over which the film is split
+   real(dp), parameter :: half_window = 0.5_dp      ! range of X over which the film is split
    real(dp), parameter :: least_pressure = 0.05_dp  ! P of rows that are inside the contact
 
    complex(dp), parameter :: no_number = (no_value, no_value)
 
-   !> The waves about X = 0 in one row; NaN outside the contact.
+   !> The waves about X = 0 in a row; NaN outside the contact.
    type, public :: wave_row_t
       type(two_waves_t) :: fit                     !! as the film has them
       complex(dp) :: attenuated = no_number        !! a in closed form
@@ -23,7 +23,7 @@ module ehlwave_two_wave_result
    end type wave_row_t
 
    type, public :: two_wave_result_t
-      type(wave_row_t) :: centre                   !! that nearest to Y = 0
+      type(wave_row_t) :: centre                   !! the row nearest to Y = 0
       type(wave_row_t), allocatable :: rows(:)     !! (0:ny)
    end type two_wave_result_t
 

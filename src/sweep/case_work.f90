@@ -30,7 +30,7 @@ module ehlwave_case_work
       type(store_t), pointer :: store => null()
       type(case_limits_t) :: limits
       real(dp) :: deadline_s = huge(1.0_dp)   !! wall_seconds at which to stop
-      logical :: is_stopping = .false.        !! take no more cases, stop the one under way
+      logical :: is_stopping = .false.        !! take no more cases, stop the present case
       character(len=message_length) :: reason = ''   !! reason for stopping
       real(dp), private :: case_start_s = 0
    contains

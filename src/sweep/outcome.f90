@@ -13,7 +13,7 @@ module ehlwave_outcome
       real(dp) :: seconds = 0
       character(len=message_length) :: message = ''
       logical :: is_store_broken = .false.    !! failed; the message has the reason
-      logical :: is_input_changed = .false.   !! a file differs from the one rank 0 read; the message names it
+      logical :: is_input_changed = .false.   !! a file differs from rank 0's copy; the message names it
    end type outcome_t
 
 end module ehlwave_outcome

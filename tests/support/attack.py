@@ -24,7 +24,7 @@ class Outcome:
     stdout: str
     stderr: str
     seconds: float
-    """Of processor time."""
+    """Limit of processor time."""
     memory_mib: float
 
     def faults(self):

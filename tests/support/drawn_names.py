@@ -54,7 +54,7 @@ class Scene:
         self.suffixes = suffixes
         self.inputs = list(inputs)
         self.ours = set()
-        """Names of results, and of what is in stores."""
+        """Names of results, and of files in stores."""
         (self.folder/"sub"/"deep").mkdir(parents=True)
         for name, source in inputs.items():
             _copy(source, self.folder/name)

@@ -34,6 +34,23 @@ REFUSED = [
 WRITTEN = [(text, True) for text in READ] + [(text, False) for text in REFUSED]
 """Bytes of a file, and whether the readers take it."""
 
+OF_KEYS = [
+    b"&lubricant flow_law = 'Eyring  ' /", b"&lubricant flow_law = ' eyring' /", b"&lubricant flow_law = 'eyring\t' /", b"&lubricant flow_law = '' /",
+    b"&lubricant flow_law = eyring /", "&lubricant flow_law = 'e\u0178ring' /".encode(), b"&waviness2 orientation = 'custom' /",
+    b"&waviness2 orientation_2 = 'custom', orientation = 'custom' /", b"&waviness orientation_2 = 'custom' /", b"&surface2 file = 'a.h5' /",
+    b"&surface file_2 = 'a.h5' /", b"&surface file = '' /", b"&surface file = '" + b"n"*512 + b"' /", b"&surface file = '" + b"n"*513 + b"' /",
+    "&surface file = '{}' /".format("\u00e9"*300).encode(), b"&surface file = 'a\xe9 ' /", b"&lubricant viscosity_table = '' /",
+    b"&lubricant limiting_stress_over_pressure = 0.1 /", b"&heat /", b"&heat levels = 3 /", b"&heat levels = 4 /", b"&heat oil = 1 /", b"&inlet /",
+    b"&conditions radius_x_m = 1e-6 /", b"&conditions radius_x_m = 0.99e-6 /", b"&conditions radius_x_m = 5.0000000000000001 /",
+    b"&conditions radius_x_m = 5.000000000000001 /", b"&conditions load_n = 0 /", b"&conditions load_n = 1e-307 /", b"&conditions load_n = -0.0 /",
+    b"&conditions slip_parameter = 2 /", b"&conditions slip_parameter = 2.0000001 /", b"&conditions slide_to_roll_ratio = -2d0 /",
+    b"&grid cells_x = 8192 /", b"&grid cells_x = 8193 /", b"&grid cells_x = -0 /", b"&grid x_min = -1 /", b"&grid x_min = -0.999 /",
+    b"&solver tolerance = 0.1 /", b"&solver tolerance = 0.10000000000000001 /", b"&solver tolerance = 0.100000000000001 /",
+    b"&sweep output = 'a.h5' /", b"&conditions load_nn = 3 /", b"&output fields = T, mean_rise = .false. /", b"&output fields = 1 /",
+    b"&conditions central_film_m = 1e-7 /", b"&lubricant yasutomi_b2 = -1e-6 /", b"&lubricant yasutomi_b2 = 0 /", b"&conditions load_n = 1, 2 /",
+]
+"""Files about kinds, bounds, choices and names of keys."""
+
 NAMES = ["a", "load_n", "Load_N", "x", "conditions", "x1", "cells_x"]
 WORDS = ["1", "1.5", "-3", "1e5", "1.0d-3", "2E+3", "3*1.0", "2*'b'", "'text'", '"it""s"', "'it''s'", "''", ".true.", "F", "nan", "-inf",
          "1e400", "1e-400", "'a!b/c'", "word", "1.", ".5", "+7", "00012", "1e+07", "1.5.2", "'\u00e9'", "1d0", "9007199254740993"]
@@ -79,3 +96,45 @@ class Drawing:
         if draw.random() < oddness:
             return draw.choice(ODD)
         return draw.choice(BLANKS) if draw.random() < chance else ""
+
+
+class KeyDrawing:
+    """Files of keys with values inside their bounds, at them and outside."""
+
+    def __init__(self, keys, seed):
+        self.keys, self.random = keys, random.Random(seed)
+
+    def next(self):
+        """A further file: most of them have at most one odd value."""
+        draw = self.random
+        oddness = draw.choice([0, 0, 0.1, 0.3])
+        groups = {}
+        for name in draw.sample(sorted(self.keys), draw.randint(1, 6)):
+            key = self.keys[name]
+            group = key.group if draw.random() < 1 - oddness/10 else draw.choice(["grid", "sweep", "inlet"])
+            written = key.short if key.short and draw.random() < 0.5 else name
+            written = written if draw.random() < 1 - oddness/10 else written + draw.choice(["s", "_2", ""])
+            groups.setdefault(group, {})[draw.choice([str, str.upper])(written)] = self.value(key, oddness)
+        lines = [f"&{group} " + ", ".join(f"{name} = {value}" for name, value in values.items()) + " /"
+                 for group, values in groups.items()]
+        return "\n".join(lines).encode()
+
+    def value(self, key, oddness):
+        """A value for a key: of another kind, outside its bounds, at one of them or inside."""
+        draw = self.random
+        if draw.random() < oddness/2:
+            return draw.choice(WORDS)
+        if key.kind == "truth":
+            return draw.choice(["T", ".false.", "true", "F"])
+        if key.kind == "word":
+            words = [*key.choices, *(["none", "auto", ""] if draw.random() < oddness else [])] or ["a.h5", "b c.csv", "d"*draw.randint(0, 600)]
+            return f"'{draw.choice([str, str.upper])(draw.choice(words))}{' '*draw.choice([0, 0, 1])}'"
+        bounds = [bound for bound in (key.above, key.minimum, key.maximum) if bound is not None]
+        bound = draw.choice(bounds or [1])
+        factor = draw.choice([1, 1, 1 + 1e-15, 1 - 1e-15, 0.5, 2, -1, 1 + 1e-9]) if draw.random() < oddness else 1
+        low = max([bound for bound in (key.above, key.minimum) if bound is not None], default=-10)
+        high = 1000 + max(0, low) if key.maximum is None else key.maximum
+        number = bound*factor if draw.random() < 0.3 else low + (high - low)*draw.random()
+        if key.kind == "whole":
+            return str(int(number))
+        return draw.choice(["{!r}", "{:.17e}", "{:.3g}"]).format(float(number)).replace("e", draw.choice("eEdD"))

@@ -55,7 +55,7 @@ class Accuracy(TestCase):
                 self.assertIn("Expected ", text)
                 cells.append(plan["cells_x"])
             self.assertEqual(cells, sorted(cells))
-            # second order: a tenth of the error wants about three times the cells
+            # second order: a tenth of the error needs about three times the cells
             self.assertTrue(2 <= cells[3]/cells[1] <= 4.5, cells)
 
     def test_coefficients_are_the_recorded_ones(self):

@@ -49,7 +49,7 @@ class LostFiles(unittest.TestCase):
         return outcome.stdout + outcome.stderr
 
     def answer_or_reason(self, what):
-        """The same results, or a message that names the store; and `--status` prints nothing untrue."""
+        """Equal results, or a message that names the store; and `--status` prints nothing untrue."""
         with self.subTest(what=what):
             status = run("sweep", "--status", "r.h5", folder=self.folder)
             if status.returncode == 0:

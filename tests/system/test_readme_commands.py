@@ -17,7 +17,7 @@ from ehlwave_program import namelist, run
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS_OF_BUILDS = ("build", ".git")
-PAGES = [ROOT/"postprocess/examples/cluster.md", *(ROOT/"postprocess/manual/explanation").glob("*.md")]
+PAGES = [ROOT/"postprocess/examples/cluster.md", ROOT/"postprocess/manual/case.md", *(ROOT/"postprocess/manual/explanation").glob("*.md")]
 READMES = sorted(path.relative_to(ROOT).as_posix() for path in [*ROOT.rglob("README.md"), *PAGES]
                  if not {*FOLDERS_OF_BUILDS, "node_modules", ".venv"} & {*path.relative_to(ROOT).parts})
 
@@ -32,6 +32,8 @@ NOT_RUN = {
     "python3 -m venv venv && . venv/bin/activate": "installs packages",
     "pip install ./postprocess": "installs packages; system/test_packaging looks at the wheel",
     "pip install './postprocess[figures,instruments]'": "installs packages",
+    "pip install './postprocess[app]'": "installs packages",
+    "ehlwave app": "serves until it is stopped; postprocess/tests/test_app has the page",
     "mpirun -n 2 build/release/drivers/ehlwave-sweep inputs/paper_harmonic.nml": "takes a minute; planned here",
     "sbatch --ntasks=64 EHLWAVE/scripts/batch/slurm.sh SWEEP.nml results.h5": "needs Slurm; system/test_slurm starts one",
     "sbatch --ntasks=64 --array=0-2 EHLWAVE/scripts/batch/slurm.sh A.nml B.nml C.nml": "needs Slurm; system/test_slurm",
@@ -52,7 +54,7 @@ SHORTENED = {
 FORMULAS = ("Ad/Ai = ", "1/lambda_n^2 = ", "c = (G - a)", "G = T S^", "T = (1 + ")
 """How indented lines that are formulas begin."""
 
-PYTHON = ("import ", "ehlwave.", "contact", "ball, disc = ", "oil = ", "results = ", "print(", "mean_speed_m_per_s=", "orientation=", "#")
+PYTHON = ("import ", "ehlwave.", "contact", "film, surface = ", "ball, disc = ", "oil = ", "results = ", "print(", "mean_speed_m_per_s=", "orientation=", "#")
 COMMANDS = ("build/", "scripts/", "ehlwave ", "ehlwave-", "python3 ", "pip ", "cmake ", "sbatch ", "qsub ", "module ", "mpirun ", "settings=")
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
@@ -96,7 +98,7 @@ class Commands(unittest.TestCase):
         drivers.mkdir(parents=True)
         for name in ("case", "sweep"):
             (drivers/f"ehlwave-{name}").symlink_to(os.environ[f"EHLWAVE_{name.upper()}"])
-        for name in ("inputs", "postprocess/studies"):
+        for name in ("inputs", "postprocess/studies", "postprocess/examples"):
             shutil.copytree(ROOT/name, folder/name, ignore=shutil.ignore_patterns("__pycache__"))
         (folder/"scripts").symlink_to(ROOT/"scripts")
         cls.environment = {**os.environ, "PYTHON": sys.executable, "EHLWAVE_PROGRAMS": str(drivers), "MPLBACKEND": "Agg",

@@ -67,17 +67,32 @@ def top_level():
     bounds = [Bound(100*max(float(row[f"error_{by}_over_rq"]) for row in small)) for by in ("default", "table", "formula")]
     marched, small_wave = (small_waves(name, orientation="isotropic")[0] for name in ("march", "linear_response"))
     minutes = sum(cells("full/stages.csv", "seconds"))/60
+    quick = {name: cell("quick/refit.csv", name, group="all", variable="f_v") for name in ("points", "c1", "c2")}
+    loads = cells("quick/points.csv", "load_parameter_m")
+    refit = {"varied": "grid", "points": "resolved, L = 12.05", "orientation": "all"}
+    c1, c2 = ([cell("full/tables/refits.csv", f"{name}{end}", **refit) for end in ("", " from", " to")] for name in ("c1", "c2"))
+    small_v = {"points of": "L = 12.05"}
+    mean = cell("full/tables/formula_small_v.csv", "mean", **small_v, **{"f(r) V": "0.8 to 1.5"})
+    unresolved, points = (sum(cells("full/tables/unresolved_on_paper_grid.csv", name)) for name in ("not resolved", "points"))
+    films = [cell("full/tables/experiment-comparison.csv", "this code", quantity=f"mean film, computed at {speed} m/s")
+             for speed in ("0.024", "0.048", "0.096")]
     return [
-        ("Computed by `scripts/reproduce`: {} cases", [cell("quick/refit.csv", "points", group="all", variable="f_v")]),
-        ("the whole study of the paper, {} minutes on two cores", [minutes]),
-        ("The input above then takes {} counted work units in place of {}, a factor of {}.",
-         [small_wave, marched, marched/small_wave]),
-        ("gain factors of {} to {} (M = 100", [min(across()), max(across())]),
-        ("longitudinal waves stand still and gain a factor of {}.", small_waves("factor", orientation="longitudinal")),
+        ("Points: {} contacts, M = {} to {}, L = 12.05", [quick["points"], min(loads), max(loads)]),
+        ("fitted to the points, c1 = {} and c2 = {}", [quick["c1"], quick["c2"]]),
+        ("repeats the whole study, {} minutes on two cores", [minutes]),
+        ("{} counted work units in place of {}, a factor of {}.", [small_wave, marched, marched/small_wave]),
+        ("c1 = {} [{}, {}], c2 = {} [{}, {}] at L = 12.05", [*c1, *c2]),
+        ("by {} at f V = 0.8 to 1.5 in the mean, {} at most", [mean, max(cells("full/tables/formula_small_v.csv", "largest", **small_v))]),
+        ("{} of {} points are not resolved", [unresolved, points]),
+        ("measured 0.28, 0.42, 0.70 um | {}, {}, {} um", films),
         validated(),
         ("differ from simulated ones by at most {} % of Rq where the amplitude is below 30 % of the film. "
          "With a table computed for the contact (`--table`) it is {} %, with the paper's formula {} %", bounds),
     ]
+
+
+def one_contact():
+    return [("is {} to {} times cheaper for waves across the motion (M = 100", [min(across()), max(across())])]
 
 
 SURFACES = {"ground": "ground-like map, Rq 30 nm", "dent": "dent, 60 nm", "ridge": "ridge, 50 nm", "sputtered": "sputtered pattern, 145 nm"}
@@ -406,7 +421,7 @@ def peers():
 
 
 MANUAL = "postprocess/manual/explanation"
-CLAIMS = {"README.md": top_level, "postprocess/README.md": postprocess, "postprocess/record/README.md": record,
+CLAIMS = {"README.md": top_level, "postprocess/manual/case.md": one_contact, "postprocess/README.md": postprocess, "postprocess/record/README.md": record,
           f"{MANUAL}/accuracy.md": lambda: [*speeds(), *errors_and_costs()], f"{MANUAL}/atlas.md": atlas,
           f"{MANUAL}/roughness.md": roughness, f"{MANUAL}/paper.md": lambda: [*study(), *validation(), *better_formula(), *rolling()],
           f"{MANUAL}/slip.md": two_waves, f"{MANUAL}/solvers.md": lambda: [*heavy_loads(), *peers()]}
@@ -456,14 +471,22 @@ class Numbers(unittest.TestCase):
         text = words("README.md")
         with tempfile.TemporaryDirectory() as folder:
             march, response = (self.solved(folder, "isotropic", change) for change in ({}, {"'isotropic'": "'isotropic', response = 'harmonic'"}))
-            printed = found_in(text, "takes {} counted work units in place of {}, a factor of {}.")
+            printed = found_in(text, "{} counted work units in place of {}, a factor of {}.")
             for one, value in zip(printed, [response["counted_work_units"], march["counted_work_units"],
                                             march["counted_work_units"]/response["counted_work_units"]], strict=True):
                 self.assertAlmostEqual(float(one)/value, 1, delta=0.05)
+            printed = found_in(text, "of the film keep Ad/Ai = {} within {} % (harmonic fit)")
+            values = [march["amplitude_ratio_fit"], 100*march["error_estimate"]]
+            for one, value, tolerance in zip(printed, values, (6e-4, 0.06), strict=True):
+                self.assertAlmostEqual(float(one), value, delta=tolerance)
+
+    def test_programs_give_what_the_page_of_one_contact_says(self):
+        text = words("postprocess/manual/case.md")
+        with tempfile.TemporaryDirectory() as folder:
             eyring, newtonian = (self.solved(folder, "sliding", change) for change in (
                 {}, {"'eyring'": "'newtonian'", "eyring_stress_pa = 5e6": ""}))
-            printed = found_in(text, "Ad/Ai is {} within {} %. A Newtonian oil (`flow_law = 'newtonian'`, no stress) gives {},")
-            values = [extrapolated(eyring), 100*eyring["error_estimate"], extrapolated(newtonian)]
+            printed = found_in(text, "| Ree-Eyring | {} within {} % | | Newtonian (`flow_law = 'newtonian'`, no stress) | {} |")
+            values = [eyring["harmonic_ratio"], 100*eyring["error_estimate"], newtonian["harmonic_ratio"]]
             for one, value, tolerance in zip(printed, values, (6e-4, 0.06, 6e-4), strict=True):
                 self.assertAlmostEqual(float(one), value, delta=tolerance)
             printed = found_in(text, "M = {}, L = {}, D = {}, S = {}, E' = {} GPa, tau0 = {} MPa")
@@ -471,10 +494,10 @@ class Numbers(unittest.TestCase):
             for one, value in zip(printed, [*values, 226, 5], strict=True):
                 self.assertTrue(agrees(one, value), (one, value))
 
-    def test_edges_thin_films_as_the_first_readme_says(self):
-        printed = found_in(words("README.md"), "by {} % for M = {} and D = {}, by {} % for M = {} and D = {}, by {} % for M = {} and D = {}.")
+    def test_edges_thin_films_as_the_page_of_one_contact_says(self):
+        printed = found_in(words("postprocess/manual/case.md"), "thinner by | | --- | --- | --- | | {} | {} | {} % | | {} | {} | {} % | | {} | {} | {} % |")
         for first in range(0, len(printed), 3):
-            thinner, m, d = map(float, printed[first:first + 3])
+            m, d, thinner = map(float, printed[first:first + 3])
             films = [solve(m=m, d=d, grid={"cells_x": 128, "cells_y": 128, "edges": edges})["central_film"]
                      for edges in ("truncated", "flooded")]
             self.assertAlmostEqual(100*(1 - films[0]/films[1]), thinner, delta=0.06)
@@ -488,10 +511,6 @@ class Numbers(unittest.TestCase):
         outcome = run("case", "case.nml", "--json", "--quiet", folder=folder)
         self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
         return last_line(outcome)
-
-
-def extrapolated(result):
-    return math.hypot(result["harmonic_extrapolated_real"], result["harmonic_extrapolated_imaginary"])
 
 
 if __name__ == "__main__":

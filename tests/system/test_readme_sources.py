@@ -22,10 +22,12 @@ ROOT = Path(__file__).resolve().parents[2]
 PAGES = [page for page in READMES if not any(part.startswith(".") for part in Path(page).parts)]
 LEDGER = ROOT/"postprocess/record/by_hand.csv"
 RESULTS = ROOT/"scripts/accept.csv"
+BY_PROGRAMS = ("README.md", "postprocess/manual/case.md")
+"""Pages with sentences that are compared with the programs."""
 DIGITS = 4
-"""Of results that hold, whatever the compiler."""
+"""Digits of results that hold for any compiler."""
 GENERATED = {"inputs/README.md": "## `&conditions`"}
-"""Where a reference begins that system/test_sweep_keys compares with what the program prints."""
+"""Where a reference begins that system/test_sweep_keys compares with the output of the program."""
 
 UNIT = r"(?: ?(?:a|b|um|nm|mm|m/s|MPa|GPa|Pa|K|N/m|1/Pa|hX|Hc|%|of the film))?"
 SYMBOL = (r"(?:(?:gamma )?M|L|D|S|E'|alpha E'|alpha|alphabar|z|n|G|K0'?|f\(r\)|f V|tau0|tau0/E'|X|Y|Z|T|U|dT|hX|hY|B|N|p|P|y|kappa|Omega|"
@@ -47,7 +49,7 @@ RULES = {
                   rf"|{NUMBER}{UNIT} (?:<=|<) {SYMBOL}(?!\w)",
     "grids": rf"{NUMBER} x {NUMBER}|{NUMBER}(?:(?:,| and| or| to) {NUMBER})* (?:cells|nodes|levels|ranks|cores|points per wave)\b",
     "formulas": r"\b\d+(?:\.\d+)?/\(|\(\d+(?:\.\d+)? [-+] (?:\d+(?:\.\d+)? [a-z(])?|[-+] \d+(?:\.\d+)? \(?[a-z]|\b\d pi|\b[a-z] [-+] \d+\b|\bS -> 1",
-    "an accuracy in other words": r"is a relative error of 1 % in",
+    "an accuracy in other words": r"asks for (?:a relative error of )?1 %",
 }
 
 
@@ -57,7 +59,8 @@ def also_compared():
     constants = [float(re.search(rf"^PAPER_{name} = ([\d.]+)$", formula, re.MULTILINE)[1]) for name in ("C1", "C2")]
     default = re.search(r"^\| `amplitude_over_film` \| `([\d.]+)`", (ROOT/"inputs/README.md").read_text(encoding="utf-8"), re.MULTILINE)[1]
     return {
-        "README.md": [("1/(1 + {} f V + {} (f V)^2)", constants), ("as waves of {} % of the film pass", [100*float(default)])],
+        "README.md": [("1/(1 + {} f V + {} (f V)^2)", constants), ("with an amplitude of {} %", [100*float(default)]),
+                      ("| c1 = {}, c2 = {} |", constants)],
     }
 
 
@@ -106,7 +109,7 @@ def ledger():
 def by_hand(page):
     """Where a page has numbers that were measured by hand."""
     sentences = [sentence for sentence, _ in [*CLAIMS.get(page, list)(), *also_compared().get(page, [])]]
-    return left_over(prose(page), sentences + (compared_by_programs() if page == "README.md" else []))
+    return left_over(prose(page), sentences + (compared_by_programs() if page in BY_PROGRAMS else []))
 
 
 def write_ledger():

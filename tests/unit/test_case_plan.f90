@@ -16,6 +16,7 @@ program test_case_plan
    call check_kinds()
    call check_steps()
    call check_layer_change()
+   call check_meniscus()
    call check_grid()
    call check_deformation()
    call check_refusal()
@@ -137,31 +138,58 @@ contains
       type(case_plan_t) :: plan, same
       type(case_t) :: case
       case = sample('transverse', 1.0_dp)
-      case%oil_over_flooded = 1.5_dp
+      case%effects%starvation%oil_over_flooded = 1.5_dp
       same = plan_of(test, case)
-      case%oil_change_factor = 0.1_dp
-      case%oil_change_start = 2
-      case%oil_change_length = 0.5_dp
+      case%effects%starvation%oil_change_factor = 0.1_dp
+      case%effects%starvation%oil_change_start = 2
+      case%effects%starvation%oil_change_length = 0.5_dp
       plan = plan_of(test, case)
       call test%check(plan%rest > 2 + 0.5_dp + 3.5_dp .and. plan%first_sample*plan%dt >= plan%rest + 1, 'a gap')
-      call test%check_close(plan%resolution%meniscus, same%resolution%meniscus, 'the layer behind it', relative=0.0_dp)
-      case%oil_change_length = 0
+      call test%check_close(plan%effects%starvation%resolution, &
+                            same%effects%starvation%resolution, 'the layer behind it', relative=0.0_dp)
+      case%effects%starvation%oil_change_length = 0
       plan = plan_of(test, case)
-      case%oil_change_factor = 1
-      case%oil_over_flooded = 0.15_dp
+      case%effects%starvation%oil_change_factor = 1
+      case%effects%starvation%oil_over_flooded = 0.15_dp
       same = plan_of(test, case)
       call test%check(plan%first_sample > same%first_sample .and. .not. plan%resolution%is_resolved, 'a tenth of the layer')
-      call test%check_close(plan%resolution%meniscus, same%resolution%meniscus, 'its meniscus', relative=1e-12_dp)
-      case%oil_change_factor = 0.5_dp
+      call test%check_close(plan%effects%starvation%resolution, &
+                            same%effects%starvation%resolution, 'its meniscus', relative=1e-12_dp)
+      case%effects%starvation%oil_change_factor = 0.5_dp
       case%end_time = 6
       plan = plan_of(test, case)
       call test%check(.not. plan%measures, 'too early an end')
-      case%oil_change_start = 6
+      case%effects%starvation%oil_change_start = 6
       call refuse(case, 'oil_change_start', 'no change before the end')
       case%end_time = 0
       case%orientation = 'longitudinal'
       call refuse(case, 'end_time', 'nothing moves')
    end subroutine check_layer_change
+
+   !> Waves need mesh sizes between the contact and the meniscus; the film does not.
+   subroutine check_meniscus()
+      type(case_plan_t) :: half, plan
+      type(case_t) :: case
+      case = sample('transverse', 1.0_dp)
+      plan = plan_of(test, case)
+      call test%check(plan%resolution%is_resolved .and. .not. plan%effects%starvation%distance > 0, 'flooded')
+      case%effects%starvation%oil_over_flooded = 1
+      plan = plan_of(test, case)
+      call test%check(plan%resolution%is_resolved, 'fine enough for waves')
+      call test%check_close(plan%effects%starvation%resolution*plan%effects%starvation%distance, plan%hx, &
+                            'hX over the distance', relative=1e-12_dp)
+      case%effects%starvation%oil_over_flooded = 0.5_dp
+      half = plan_of(test, case)
+      call test%check_close(half%effects%starvation%distance/plan%effects%starvation%distance, 0.5_dp**1.6_dp, &
+                            'less oil, nearer meniscus', relative=1e-12_dp)
+      case%effects%starvation%oil_over_flooded = 0.15_dp
+      plan = plan_of(test, case)
+      call test%check(.not. plan%resolution%is_resolved .and. index(plan%resolution%reason, 'meniscus') > 0, &
+                      'a meniscus too near for waves')
+      case%orientation = 'none'
+      plan = plan_of(test, case)
+      call test%check(plan%resolution%is_resolved, 'fine enough for a film')
+   end subroutine check_meniscus
 
    subroutine check_grid()
       type(case_plan_t) :: plan

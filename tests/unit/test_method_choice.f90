@@ -39,7 +39,7 @@ program test_method_choice
    case%sensitivities = .true.
    call check(case, 'newton', 1e-6_dp, 'derivatives by the oil')
    case = sample(1000.0_dp, 512)
-   case%oil_over_flooded = 0.5_dp
+   case%effects%starvation%oil_over_flooded = 0.5_dp
    call check(case, 'newton', 1e-6_dp, 'too little oil')
    case = sample(1000.0_dp, 512)
    case%radius_ratio_d = 0

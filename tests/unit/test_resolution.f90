@@ -3,7 +3,7 @@ program test_resolution
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: inlet_gap, inlet_length, judge_resolution, meniscus_distance, resolution_t, &
+   use ehlwave_resolution, only: inlet_gap, inlet_length, judge_resolution, resolution_t, &
       closing_reason, touching_reason
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_waviness, only: new_waviness, no_waviness
@@ -19,7 +19,6 @@ program test_resolution
    smooth%list = [no_waviness()]
    conditions = make_conditions(100.0_dp, 1.0_dp)
    call check_inlet()
-   call check_meniscus()
    call check_sides()
    call check_domain()
    call check_touching()
@@ -56,24 +55,6 @@ contains
       r = judge_resolution(conditions, smooth, -2.5_dp, 2.0_dp, 2*h, h, 0.0_dp)
       call test%check(.not. r%is_resolved .and. index(r%reason, 'hX') > 0, 'coarse inlet')
    end subroutine check_inlet
-
-   !> Waves need mesh sizes between the contact and the meniscus; the film does not.
-   subroutine check_meniscus()
-      type(resolution_t) :: r
-      real(dp) :: distance
-      distance = meniscus_distance(conditions, 0.5_dp)
-      call test%check_close(distance/meniscus_distance(conditions, 1.0_dp), 0.5_dp**1.6_dp, 'less oil, nearer meniscus', &
-                            relative=1e-12_dp)
-      r = judge_resolution(conditions, waves(1.0_dp, 0.0_dp, 1.0_dp), -2.5_dp, 2.0_dp, 0.3_dp*distance, h, h, distance)
-      call test%check(.not. r%is_resolved .and. index(r%reason, 'meniscus') > 0, 'a meniscus too near for waves')
-      call test%check_close(r%meniscus, 0.3_dp, 'hX over the distance', relative=1e-12_dp)
-      r = judge_resolution(conditions, waves(1.0_dp, 0.0_dp, 1.0_dp), -2.5_dp, 2.0_dp, 0.2_dp*distance, h, h, distance)
-      call test%check(r%is_resolved, 'fine enough for waves')
-      r = judge_resolution(conditions, smooth, -2.5_dp, 2.0_dp, 0.3_dp*distance, h, 0.0_dp, distance)
-      call test%check(r%is_resolved, 'fine enough for a film')
-      r = judge_resolution(conditions, waves(1.0_dp, 0.0_dp, 1.0_dp), -2.5_dp, 2.0_dp, 0.3_dp*distance, h, h)
-      call test%check(r%is_resolved .and. .not. r%meniscus > 0, 'flooded')
-   end subroutine check_meniscus
 
    subroutine check_sides()
       type(resolution_t) :: r

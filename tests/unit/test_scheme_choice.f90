@@ -38,7 +38,7 @@ program test_scheme_choice
    case%scheme = 'averaged'
    call check(case, 'averaged', 'a scheme that was given')
    case = sample(10000.0_dp)
-   case%oil_over_flooded = 0.5_dp
+   case%effects%starvation%oil_over_flooded = 0.5_dp
    call check(case, 'auto', 'too little oil')
    case = sample(10000.0_dp)
    case%method = 'fas'

@@ -15,7 +15,7 @@ Axis = Literal["x", "y"]
 AXES: tuple[Axis, ...] = ("x", "y")
 """Directions of a trace, and of rolling in a file."""
 
-LAWS = ("atlas", "starved", "two-waves", "computed", "recommended", "paper")
+LAWS = ("table", "atlas", "starved", "two-waves", "computed", "recommended", "paper")
 """Laws that judge the components of a surface, by their names."""
 
 FILM_BY = ("laws", "computed")
@@ -41,7 +41,7 @@ RATIO_COLUMNS: dict[Ratio, str] = {
 """Columns of results that Ad/Ai is taken from."""
 
 POISSON_RATIO = 0.3
-"""Of steel: that of bodies of which nothing is said."""
+"""Steel: the default of bodies."""
 
 REPLICATES, SEED = 1000, 20000
 """Samples of the bootstrap, and the seed of its random numbers."""

@@ -33,7 +33,7 @@ PAGES = {
     "slip": "howto.md#enter-a-slide-to-roll-ratio",
     "units": "howto.md#enter-units",
 }
-"""Pages by what they are about; a test looks whether the manual has them."""
+"""Pages by subject; a test checks that the manual has them."""
 
 
 def see(topic: str) -> str:

@@ -15,7 +15,7 @@ import xarray as xr
 from ehlwave.errors import ResultsError, printable
 
 LARGEST_BYTES = 2**32
-"""Of all datasets of a file."""
+"""Size of all datasets of a file."""
 
 DATA_PER_BYTE = 1100
 """Most bytes of data per byte of a file: the best that deflate does is 1032."""

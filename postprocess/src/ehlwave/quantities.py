@@ -36,11 +36,11 @@ class Plausible:
 
     low: float
     high: float
-    """`low`, `high`: what no contact is known beyond, SI."""
+    """`low`, `high`: bounds of all known contacts, SI."""
     usual: tuple[float, float]
-    """What most have: a factor that leads here is what is asked about."""
+    """Usual range: a factor that leads here is suggested."""
     factors: tuple[float, ...] = (1e9, 1e6, 1e3, 1e-3, 1e-6, 1e-9)
-    """That are tried: prefixes, or per cent."""
+    """Factors that are tried: prefixes, or per cent."""
 
 
 _PER_CENT = (1e-2,)

@@ -30,7 +30,7 @@ LIST_FORMAT = "ehlwave-list-of-results"
 LARGEST_LIST = 2**24
 
 Identity = tuple[int, int]
-"""Device and inode: what a file is, whatever its name."""
+"""Device and inode: identity of a file under any name."""
 
 
 class Writer:

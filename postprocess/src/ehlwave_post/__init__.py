@@ -11,7 +11,7 @@ import ehlwave
 
 
 class _Renamed(MetaPathFinder, Loader):
-    """Finds a module of the former name and hands out the one of today."""
+    """Finds a module of the former name and returns the present module."""
 
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None

@@ -1,1 +1,1 @@
-"""Whether numbers are what they say they are: random inputs, again on twice the cells."""
+"""Test of declared errors: random inputs, again on twice the cells."""

@@ -1,4 +1,4 @@
-"""Whether numbers are what they say they are: random inputs over every key."""
+"""Test of declared errors: random inputs over every key."""
 
 import json
 import sys
@@ -15,7 +15,7 @@ from studies.sweeps import write_rows
 
 
 def report(cases: list[Row], folder: Path) -> int:
-    """Print and write what is off; return 1 if anything is."""
+    """Print and write the offenders; return 1 if there is any."""
     rows, summary = offenders(cases)
     write_rows(folder / "offenders.csv", rows)
     print(summary)

@@ -13,10 +13,10 @@ from studies.all_keys import compare
 from studies.all_keys.draw import Row, draw
 
 LARGEST_COST = 1.5e8
-"""Of the finer run: planned work times cells. About ten seconds."""
+"""Cost of the finer run: planned work times cells. About ten seconds."""
 LONGEST_S = 1800
 UNRESOLVED = 0.3
-"""Share that is kept of the inputs that their grid does not resolve, as the plan says."""
+"""Share of kept inputs among those that, by the plan, their grid does not resolve."""
 USUAL_DOMAIN = {"x_min": -2.5, "x_max": 1.5, "y_max": 2.0}
 USUAL_TOLERANCES = {"tolerance": 1e-6, "step_tolerance": 1e-4, "response_tolerance": 1e-5}
 TOLD = ("status", "rung", "cells_x", "cells_y", "load_parameter_m", "lubricant_parameter_l")
@@ -40,7 +40,7 @@ def draw_planned(
 
 
 def run_both(number: int, row: Row, plan: Row, folder: Path, known: dict[str, str]) -> Row:
-    """Run a case and, where it converges, the finer one; keep inputs and results."""
+    """Run a case and, where it converges, the finer case; keep inputs and results."""
     path = folder / f"{number:04d}.nml"
     _write(path, row, known)
     found = _run(path)
@@ -56,8 +56,8 @@ def run_both(number: int, row: Row, plan: Row, folder: Path, known: dict[str, st
 def finer_row(row: Row, plan: Row, found: Row) -> Row:
     """Return the same case on twice the cells and half the time step, without an accuracy.
 
-    Domain, settling and time step over cell are those that the accuracy chose; tolerances are the
-    usual ones where the case has looser ones, and nothing caps the steps.
+    Domain, settling and time step over cell follow the accuracy; tolerances are the defaults where
+    the case has looser ones, and nothing caps the steps.
     """
     finer = dict(row)
     for key in ("accuracy", "largest_cells", "largest_total_steps", "largest_steps"):
@@ -79,7 +79,7 @@ def finer_row(row: Row, plan: Row, found: Row) -> Row:
 
 
 def offenders(cases: list[Row]) -> tuple[list[Row], str]:
-    """Return what is off, with what tells the case, and a summary."""
+    """Return the offenders, with the identity of the case, and a summary."""
     rows: list[Row] = []
     judged = numbers = 0
     for case in cases:
@@ -88,7 +88,7 @@ def offenders(cases: list[Row]) -> tuple[list[Row], str]:
             {"number": name, "value": found[name]} for name in compare.negative_films(found)
         ]
         work = compare.work_over_plan(found, case["plan"])
-        has_own_cap = case["row"].get("largest_total_steps", 0) > 0  # stands for that of the plan
+        has_own_cap = case["row"].get("largest_total_steps", 0) > 0  # replaces the plan's value
         if not has_own_cap and not work <= compare.MOST_WORK:
             off.append({"number": "work over plan", "value": work})
         if finer is not None and finer["status"] in SETTLED:

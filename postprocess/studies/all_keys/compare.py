@@ -1,4 +1,4 @@
-"""Numbers of a case against those of the same case on twice the cells.
+"""Numbers of a case against the same case on twice the cells.
 
 The distance of a number v(h) from its limit is taken as 4/3 of its distance from v(h/2): that is
 the distance from the value extrapolated with second order, and more where tolerances make it.
@@ -16,9 +16,9 @@ LIMIT = 4 / 3
 NOTHING = 1e-12
 """Numbers that are zero but for rounding, such as friction in pure rolling."""
 MOST_WORK = 10
-"""Largest work over that of the plan."""
+"""Largest work over the planned work."""
 
-# What both runs share is no part of their difference: the domain, and the size of the waves.
+# Parts shared by both runs are no part of their difference: the domain, and the size of the waves.
 FILM_PARTS = ("film_error_mesh", "film_error_meniscus", "film_error_algebraic")
 RATIO_PARTS = tuple(
     f"ratio_error_{part}" for part in ("mesh", "meniscus", "time", "settling", "algebraic")
@@ -43,7 +43,7 @@ FILMS = ("central_film", "minimum_film", "smallest_film", "mean_film")
 
 @dataclass(frozen=True)
 class Finding:
-    """One number of one case."""
+    """A number of a case."""
 
     number: str
     value: float
@@ -54,13 +54,13 @@ class Finding:
 
     @property
     def is_offender(self) -> bool:
-        """Whether it is further off than it says; one without an error says 0."""
+        """Whether its error exceeds the estimate; without estimate it counts as 0."""
         declared = self.declared if math.isfinite(self.declared) else 0.0
         return not self.off <= FACTOR * declared + SLACK
 
 
 def findings(found: Row, finer: Row) -> list[Finding]:
-    """Return what a converged case and the same on twice the cells have to say on its numbers."""
+    """Return the comparison of a converged case with the case on twice the cells."""
     result = []
     for number, (parts, errors) in NUMBERS.items():
         value = _complex(found, parts)
@@ -82,7 +82,7 @@ def negative_films(found: Row) -> list[str]:
 
 
 def work_over_plan(found: Row, plan: Row) -> float:
-    """Return all the work of a case over that of its plan, in operations."""
+    """Return all the work of a case over the work of its plan, in operations."""
     done = _number(found["total_work_units"])
     expected = _number(plan["expected_total_work_units"])
     return done * _unit(found) / (expected * _unit(plan))

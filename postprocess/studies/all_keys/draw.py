@@ -1,6 +1,6 @@
 """Random legal inputs over every key.
 
-``DRAWS`` has one entry for each key of the program, and `draw` refuses to work with another table.
+``DRAWS`` has an entry for each key of the program, and `draw` refuses to work with another table.
 An entry returns the value of its key, or None for a key that is not given.
 """
 
@@ -25,7 +25,7 @@ def _moes(name: str) -> Draw:
 
 
 def _where(key: str, *values: str) -> Callable[[Draw], Draw]:
-    """Return what makes a draw one of cases whose `key` has one of the values."""
+    """Return the rule that makes a draw a case whose `key` has one of the values."""
     return lambda inner: lambda c, row: inner(c, row) if row.get(key) in values else None
 
 
@@ -225,7 +225,7 @@ def check_keys(known: Mapping[str, str]) -> None:
 
 
 def draw(rng: np.random.Generator, known: Mapping[str, str], folder: Path) -> Row:
-    """Return the keys of a random input; whether it is legal is for the program to say."""
+    """Return the keys of a random input; the program decides whether it is legal."""
     check_keys(known)
     contact = Contact(rng, folder)
     row: Row = {}
@@ -237,7 +237,7 @@ def draw(rng: np.random.Generator, known: Mapping[str, str], folder: Path) -> Ro
 
 
 def _without_idle(row: Row) -> Row:
-    """Return the row without what has no effect on it and is refused: loads over no time, z."""
+    """Return the row without refused keys that have no effect: loads over no time, z."""
     is_wavy, is_harmonic = "orientation" in row, row.get("response") == "harmonic"
     moves = (
         "file" in row or _varies_along(row, "", at_rest=0) or _varies_along(row, "_2", at_rest=2)

@@ -54,8 +54,8 @@ class Contact:
         """Return a number whose logarithm is uniform."""
         return float(f"{low * (high / low) ** self.rng.random():.4g}")
 
-    def one_of(self, *choices: Any) -> Any:  # noqa: ANN401 - one of them
-        """Return one of some choices."""
+    def one_of(self, *choices: Any) -> Any:  # noqa: ANN401 - a choice
+        """Return a random choice."""
         return choices[int(self.rng.integers(len(choices)))]
 
     def data(self) -> dict[str, float]:
@@ -89,7 +89,7 @@ class Contact:
         return str(Writer().dataset(path, surface))
 
     def viscosities(self) -> str:
-        """Write a table of viscosities, those of an oil like Roelands', and return its path."""
+        """Write a table of viscosities, close to Roelands' law, and return its path."""
         z, coefficient = self.between(0.5, 0.7), self.power(0.02, 0.05)
         rows = ["pressure_pa,temperature_k,viscosity_pa_s"]
         for rise in (0.0, 25.0, 50.0):

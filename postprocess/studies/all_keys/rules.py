@@ -10,7 +10,7 @@ from studies.all_keys.random_contact import MODULUS_PA, Contact
 
 CELLS = (24, 32, 48, 50, 64, 64, 72, 80, 96, 96, 96, 112)
 ONE_LENGTH = ("transverse", "isotropic", "longitudinal")
-"""Patterns that one wavelength tells."""
+"""Patterns given by a single wavelength."""
 SPECIAL_LAWS = ("mcewen", "yasutomi", "doolittle", "table")
 
 Value = float | int | bool | str | None
@@ -31,12 +31,12 @@ def ratio(c: Contact, row: Row) -> Value:
 
 
 def modulus(c: Contact, row: Row) -> Value:
-    """Return the reduced modulus, that of the data where the contact has dimensions."""
+    """Return the reduced modulus, from the data where the contact has dimensions."""
     return MODULUS_PA if c.is_dimensional else c.power(5e10, 3e11)
 
 
 def law(c: Contact, row: Row) -> Value:
-    """Return the law of viscosity; with dimensions it is one that has a coefficient."""
+    """Return the law of viscosity; with dimensions it has a coefficient."""
     if c.warm_law:
         return c.warm_law
     if c.is_dimensional or c.chance(0.55):
@@ -52,7 +52,7 @@ def orientation(c: Contact, row: Row) -> Value:
 
 
 def wave_y(c: Contact, row: Row) -> Value:
-    """Return the wavelength across of a custom pattern, which has one of both at least."""
+    """Return the wavelength across of a custom pattern, which has at least one of both."""
     if row.get("orientation") != "custom":
         return None
     if row["wavelength_x_over_a"] == 0:
@@ -61,7 +61,7 @@ def wave_y(c: Contact, row: Row) -> Value:
 
 
 def orientation_2(c: Contact, row: Row) -> Value:
-    """Return the waves of surface 2; those of marches have to move."""
+    """Return the waves of surface 2; in marches they have to move."""
     if "orientation" not in row or not c.chance(0.15):
         return None
     stands = c.is_line or row.get("response") != "harmonic"
@@ -69,7 +69,7 @@ def orientation_2(c: Contact, row: Row) -> Value:
 
 
 def response(c: Contact, row: Row) -> Value:
-    """Return how the response to waves is found; periodic states know no heat."""
+    """Return the method for the response to waves; periodic states exclude heat."""
     if "orientation" not in row:
         return None
     periodic = () if c.is_warm else ("periodic",)
@@ -91,20 +91,20 @@ def step(c: Contact, row: Row) -> Value:
 
 
 def method(c: Contact, row: Row) -> Value:
-    """Return the method, where there is more than one."""
+    """Return the method, if there is a choice."""
     if c.is_line or c.chance(0.6) or {"oil_over_flooded", "oil_layer_m"} & set(row):
         return None
     return c.one_of("fas", "fas", "newton", "petsc")
 
 
 def scheme(c: Contact, row: Row) -> Value:
-    """Return the scheme of the Reynolds equation, where there is more than one."""
+    """Return the scheme of the Reynolds equation, if there is a choice."""
     starved = {"oil_over_flooded", "oil_layer_m"} & set(row)
     return None if c.is_warm or starved else c.scheme
 
 
 def oil(c: Contact, row: Row) -> Value:
-    """Return the oil over that of the flooded contact, in pure rolling."""
+    """Return the oil over the flow of the flooded contact, in pure rolling."""
     rolls = row.get("slip_parameter", 1) == 1 or row.get("orientation") is None
     if not rolls or row.get("response") == "periodic" or c.has_surface or c.is_warm:
         return None

@@ -1,6 +1,6 @@
 """The commands behind ``scripts/study atlas``: write sweeps, fit the atlas to results, judge it.
 
-All but the last print the path of what they wrote.
+All but the last print the path of their output.
 """
 
 import argparse
@@ -35,12 +35,12 @@ FILLING = {
     "line_sliding": 36,
     "line_newtonian": 32,
 }
-"""Batches that fill the ranges; later ones go where the errors of those before are largest."""
+"""Batches that fill the ranges; later batches go where the earlier errors are largest."""
 
 STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
 
 BLOCK = 16
-"""Of the later batches, those that follow from one fit, which takes as long as ten of them."""
+"""Later batches that follow from the same fit, which takes as long as ten of them."""
 
 RISE_BATCHES = {
     "rolling": range(24),
@@ -52,7 +52,7 @@ RISE_BATCHES = {
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Do one step; return 0, or 1 with a message."""
+    """Do a step; return 0, or 1 with a message."""
     parser = step_parser(command.atlas, __doc__)
     parser.add_argument("step", choices=STEPS)
     parser.add_argument("folder", type=Path, help="of sweeps and their results; made when absent")
@@ -116,7 +116,7 @@ def _do(options: argparse.Namespace) -> None:
 
 
 def _known_before(batch: int, folder: Path, kind: Kind, ranks: int) -> Atlas | None:
-    """Return the atlas of the batches before the block of one that follows from it."""
+    """Return the atlas of the batches before the block of a dependent batch."""
     later = batch - FILLING[kind.name]
     if later < 0:
         return None

@@ -1,4 +1,4 @@
-"""Points of the wide atlas of contacts that slide which are taken from the usual one."""
+"""Points of the wide atlas of contacts that slide which are taken from the usual atlas."""
 
 import numpy as np
 import xarray as xr
@@ -15,14 +15,14 @@ COUNT, WAVES = 1024, 4
 SEED = 2210
 
 NAMES = ("film", "pressure", "mean_rise", "discretisation", "wavelength_over_a", "angle_deg")
-"""Of responses, as :func:`studies.atlas.points.read_points` has them."""
+"""Variables of responses, as in :func:`studies.atlas.points.read_points`."""
 
 
 def with_anchors(data: xr.Dataset, kind: Kind, count: int = COUNT) -> xr.Dataset:
-    """Return points with more of them, within the usual ranges, as the usual atlas knows them.
+    """Return points with more of them, within the usual ranges, from the usual atlas.
 
-    There the wide atlas is not asked, but its networks have to meet the usual one at its ends.
-    ``is_computed`` tells contacts apart.
+    There the wide atlas is not asked, but its networks have to meet the usual atlas at its ends.
+    ``is_computed`` distinguishes the contacts.
     """
     added, both = anchors(kind, count), []
     for part, is_computed in ((data, True), (added, False)):

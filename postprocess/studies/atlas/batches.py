@@ -32,9 +32,9 @@ STANDS_ACROSS = 0.5
 def write_batch(
     folder: Path, batch: int, design: Design = ROLLING_DESIGN, atlas: Atlas | None = None
 ) -> Path:
-    """Write the sweep of a batch: where the atlas so far knows least, if there is one.
+    """Write the sweep of a batch: where the present atlas is least accurate, if any.
 
-    Without one it fills the ranges unless it is one of slender contacts.
+    Without an atlas it fills the ranges unless it has slender contacts.
     """
     if atlas is not None:
         chosen = uncertain_contacts(atlas, design.seed + 1000 + batch)
@@ -60,10 +60,10 @@ def write_validation(folder: Path, design: Design = ROLLING_DESIGN, each: int = 
 
 
 def write_rises(folder: Path, design: Design, computed: xr.Dataset) -> Path:
-    """Write the sweep of mean films under oblique waves: those of the computed points, one by one.
+    """Write the sweep of mean films under oblique waves: individually for the computed points.
 
-    The points themselves are products of cosines, two waves, of which the mean film is not that
-    of one. A single oblique wave takes the whole domain; its rise, a correction, half the cells.
+    The points themselves are products of cosines, two waves, whose mean film differs from a single
+    wave's. A single oblique wave takes the whole domain; its rise, a correction, half the cells.
     """
     found = []
     for contact in range(computed.sizes["contact"]):

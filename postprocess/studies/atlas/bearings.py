@@ -1,6 +1,6 @@
 """Bearings as catalogues have them.
 
-Boundary dimensions are those of ISO 15; what is in a bearing, and how it is run, is drawn.
+Boundary dimensions follow ISO 15; the inside of a bearing, and its operation, is drawn.
 """
 
 from collections.abc import Callable, Iterator
@@ -36,10 +36,10 @@ RATED_PA, RATED_LINE_PA = 4.2e9, 4e9
 """Hertz pressure of the most loaded ball, or roller, under the static load rating, ISO 76."""
 
 LOAD_SHARE = (0.01, 0.3)
-"""Of a ball or roller, over that at this pressure: static safety factors of 100 to 3.3."""
+"""Load of a ball or roller, over the load at this pressure: static safety factors of 100 to 3.3."""
 
 SPEED_FACTOR = (2e4, 5e5)
-"""Revolutions a minute times mean diameter, mm: up to what catalogues give for oil and grease."""
+"""Revolutions a minute times mean diameter, mm: up to the catalogue limits for oil and grease."""
 
 VISCOSITY_PA_S = (0.005, 0.2)
 """Where they run: ISO VG 15 to 460 at 40 to 100 C."""

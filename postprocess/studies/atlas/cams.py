@@ -1,6 +1,6 @@
 """Cams of valve trains on flat and on roller followers: line contacts along the cam.
 
-The cam is one of circular arcs: base circle, flanks and nose. At the nose of a cam on a flat
+The cam consists of circular arcs: base circle, flanks and nose. At the nose of a cam on a flat
 follower the surfaces move against each other, S below 0 or above 2: no key has that, and those
 places are not drawn.
 """
@@ -29,11 +29,12 @@ OBLIQUITY = (0.87, 1.0)
 """Cosine of the angle between normal and lift of roller followers: at most 30 degrees."""
 
 ROLLER_SLIP = (0.001, 0.1)
-"""Slide-to-roll ratio of rollers, that of a cam over its follower's being either sign (Lee and
-Patterson 1995; Khurram, Mufti, Zahid, Afzal and Bhutta 2015)."""
+"""Slide-to-roll ratio of rollers, of either sign for a cam over its follower (Lee and Patterson
+1995; Khurram, Mufti, Zahid, Afzal and Bhutta 2015).
+"""
 
 SPEED_PER_MIN = (300.0, 3500.0)
-"""Of the camshaft: engines at 600 to 7000 a minute."""
+"""Speed of the camshaft: engines at 600 to 7000 a minute."""
 
 FLAT_PA, ROLLER_PA = (1.5e8, 7e8), (3e8, 1.3e9)
 """Hertz pressures from springs and inertia (Taylor 1994; Dowson, Taylor and Zhu 1992)."""
@@ -45,7 +46,7 @@ SEED = 1994
 
 
 def cam_contacts(eyring: bool = True, count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
-    """Yield contacts of cams, flat and roller followers in turn, either surface the rough one."""
+    """Yield contacts of cams, flat and roller followers in turn, with either surface rough."""
     random = np.random.default_rng(SEED)
     for number in range(count):
         base, lift = random.uniform(*BASE_MM), random.uniform(*LIFT_MM)
@@ -65,7 +66,7 @@ def cam_contacts(eyring: bool = True, count: int = CONTACTS) -> Iterator[ehlwave
 
 
 Place = tuple[tuple[float, float], tuple[float, float], tuple[float, float]]
-"""Radii of cam and follower, mm, their speeds over that of the shaft, mm, and pressures."""
+"""Radii of cam and follower, mm, their speeds over the shaft's, mm, and pressures."""
 
 
 def _flat(random: np.random.Generator, base: float, lift: float) -> Place:

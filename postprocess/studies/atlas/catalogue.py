@@ -23,7 +23,7 @@ from studies.atlas.waves import random_wave, random_wavelength
 from studies.programs import Groups
 
 COMPUTED = 30
-"""Of those that are answered."""
+"""Number of answered contacts."""
 
 
 def _wave_of_ball(keys: dict[str, float], random: np.random.Generator) -> sweeps.Row:
@@ -40,12 +40,12 @@ def _wave_of_sliding_line(keys: dict[str, float], random: np.random.Generator) -
 
 @dataclass(frozen=True)
 class Draw:
-    """Contacts of one kind of machine elements.
+    """Contacts of a kind of machine elements.
 
     Attributes
     ----------
     elements, name : str
-        What they are of; name of the sweep of some of their contacts.
+        Name of the kind; name of the sweep of some of its contacts.
     kind : Kind
         Of the atlas that the sweep is compared with.
     contacts : callable
@@ -53,7 +53,7 @@ class Draw:
     case : callable
         Returns a case of a contact by its keys, with a random wave.
     groups : mapping
-        What all cases share.
+        Shared keys of all cases.
     """
 
     elements: str

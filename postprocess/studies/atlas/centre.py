@@ -1,6 +1,6 @@
 """The pressure at the centre of line contacts in Newtonian oils.
 
-In thick films it is far below the largest one, that of a spike. Results have the attenuated wave in
+In thick films it is far below the largest pressure, in a spike. Results have the attenuated wave in
 closed form, which falls as the pressure there grows: the pressure is found from it.
 """
 
@@ -20,7 +20,7 @@ LOWEST, HIGHEST = 0.005, 3.0
 
 
 def centre_pressures(contacts: pd.DataFrame) -> NDArray[np.float64]:
-    """Return P at the centres of contacts that slide, one a row of results."""
+    """Return P at the centres of contacts that slide, one per row of results."""
     table = contacts.to_dict("records")
     found = zip(newtonian_conditions_of(contacts), table, strict=True)
     return np.array([_pressure(*one) for one in found])

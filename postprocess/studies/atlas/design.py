@@ -22,10 +22,10 @@ Ranges = Mapping[str, tuple[float, float]]
 Contact = dict[str, float]
 
 CONTACTS = 32
-"""Of one batch."""
+"""Contacts of a batch."""
 
 CANDIDATES = 512
-"""Contacts of which those of a batch are drawn by the errors of the atlas so far."""
+"""Contacts from which a batch is drawn by the present errors of the atlas."""
 
 SLENDER = {"load_parameter_m": (20.0, 70.0), "radius_ratio_d": (0.04, 0.2)}
 """Where bodies are nearly rigid along rolling and not across it."""
@@ -35,11 +35,11 @@ SLENDER_BATCHES = (8, 10, 12, 14)
 
 FIRST_RANGES = {"load_parameter_m": (5.0, 10000.0), "lubricant_parameter_l": (2.0, 20.0)}
 FIRST_BATCHES = 10
-"""Of the wide atlas: those within these ranges. Later ones are of contacts beyond them."""
+"""Batches of the wide atlas within these ranges; later batches go beyond them."""
 
 BALLS = {"radius_ratio_d": (0.018, 0.08)}
 BALL_BATCHES = range(14, 17)
-"""Of those beyond, the ones of balls in grooves."""
+"""Later batches of balls in grooves."""
 
 INLET_MESHES = 5, 3
 """Mesh sizes in the length of the inlet wanted along X and Y, of the fitted scheme."""
@@ -48,7 +48,7 @@ FEWEST_CELLS, MOST_FITTED_CELLS = 192, 512
 """Along X, of the same: the former for short waves."""
 
 CELLS_ACROSS = 36
-"""Over kappa, along Y: what longitudinal waves of 0.9 a ask for."""
+"""Over kappa, along Y: as needed by longitudinal waves of 0.9 a."""
 
 ROOMY_FILM, ROOM = 0.4, 2
 """Film over the Hertz approach from which on a domain is so many times as large as usual."""
@@ -81,9 +81,9 @@ class Design:
         Random contacts that the atlas is judged by. A set that was looked at while the networks
         were chosen is no judge: take another seed then.
     groups : mapping
-        What all cases share.
+        Shared keys of all cases.
     most_cells : int
-        In one direction, where short waves have more than their contact; 0: they have not.
+        Directions in which short waves exceed their contact; 0: none.
     """
 
     kind: Kind
@@ -105,7 +105,7 @@ class Design:
             return fitted_grid(contact)
         m, l, d = (contact[key] for key in MOES_KEYS)
         kappa = ellipticity(d)
-        inlet = 0.0141 * (m * kappa) ** 0.44 * l**-0.365  # of 256 cells, as the plan has it
+        inlet = 0.0141 * (m * kappa) ** 0.44 * l**-0.365  # inlet of 256 cells, as in the plan
         steps = ((0.02, 128), (0.035, 192), (0.09, 256), (0.15, 384))
         along = next((cells for limit, cells in steps if inlet < limit), 512)
         across = min(512, along * (1 if kappa > 0.5 else 2))
@@ -119,7 +119,7 @@ class Design:
         return not self.kind.beyond(contact)
 
     def domain(self, contact: Mapping[str, float]) -> dict[str, float]:
-        """Return the keys of a domain that is not the usual one: thick films ask for more room."""
+        """Return the keys of a domain other than the default: thick films need more room."""
         m, l, d = (contact[key] for key in MOES_KEYS)
         if self.kind not in (WIDE, SLIDING_WIDE) or hertz_film(m, l, d) < ROOMY_FILM:
             return {}
@@ -184,7 +184,7 @@ def spread_contacts(
 def uncertain_contacts(
     atlas: Atlas, seed: int, count: int = CONTACTS, of: int = CANDIDATES
 ) -> list[Contact]:
-    """Return contacts where an atlas knows least: of many, drawn by the squares of error bars."""
+    """Return contacts where an atlas is least accurate: drawn by the squares of error bars."""
     candidates = spread_contacts(atlas.kind.ranges, seed, of, kind=atlas.kind)
     waves, angles = np.meshgrid([0.15, 0.4, 1.0, 2.5], [0.0, 40.0, 90.0])
     wanted = [np.mean(atlas.at(one).responses(waves, angles).error ** 2) for one in candidates]
@@ -220,7 +220,7 @@ def random_contacts(
     count: int,
     is_wanted: Callable[[Contact], bool] | None = None,
 ) -> Iterator[Contact]:
-    """Yield contacts anywhere in an atlas, or so many of them as are wanted."""
+    """Yield contacts anywhere in an atlas, or a given number of them."""
     while count:
         contact = contact_at(random.random(len(kind.ranges)).tolist(), kind.ranges)
         if is_wanted(contact) if is_wanted else not kind.beyond(contact):

@@ -28,13 +28,13 @@ FOLDS = 5
 """Parts of the contacts that are left out in turn."""
 
 JUDGED_NETWORKS = 2
-"""Where contacts are left out: bars are those of fewer networks than answer, which err more."""
+"""Where contacts are left out: bars come from fewer networks than the answer, which err more."""
 
 COVERED = 0.975
-"""Share of what was predicted without its contact that error bars hold."""
+"""Share of held-out predictions within error bars."""
 
 LEAST_MISS = 1e-5
-"""Misses that are smaller are no better: what is computed is not known better."""
+"""Smaller misses are no better: they are within the error of the computation."""
 
 OF_WAVES = {
     "rolling": Recipe(networks=5, hidden=64, steps=3000, decay=1e-6),
@@ -50,7 +50,7 @@ OF_FILMS = {
     "line_sliding": Recipe(networks=4, hidden=32, steps=2500, decay=1e-6),
     "line_newtonian": Recipe(networks=3, hidden=12, steps=500, decay=1e-6),
 }
-"""Newtonian films of lines are those of rolling: the pressure alone is learned."""
+"""Newtonian films of lines equal films in rolling: only the pressure is learned."""
 OF_OTHER_FILMS = Recipe(networks=5, hidden=24, steps=1500, decay=1e-6)
 OF_ERRORS = Recipe(networks=5, hidden=12, steps=200, decay=1e-4)
 FEWER_ERRORS = {"sliding_wide": 3, "line": 3, "line_sliding": 3, "line_newtonian": 3}
@@ -164,7 +164,7 @@ def _of_part(task: Task, scales: Floats, recipe: Recipe, seeds: Sequence[int]) -
 def _bars(
     pool: Executor, inputs: Floats, misses: Floats, fold: Rows, recipe: Recipe
 ) -> tuple[Committee, list[float]]:
-    """Return networks of ln of some misses, and what makes bars that hold the wanted share.
+    """Return networks of ln of some misses, and the factor of bars that cover the given share.
 
     The factors are of misses of contacts whose bars are found from others.
     """

@@ -18,18 +18,20 @@ PINION_TEETH = (17, 40)
 """From the fewest without undercut."""
 
 RATIO = (1.0, 5.0)
-"""Of teeth, of one stage, usual of spur gears (Niemann and Winter 2003)."""
+"""Ratio of teeth, of one stage, usual of spur gears (Niemann and Winter 2003)."""
 
 PITCH_LINE_M_PER_S = (1.0, 20.0)
 """Usual of spur gears: ISO 1328 classes 6 to 9 (Niemann and Winter 2003)."""
 
 PRESSURE_PA = (4e8, 1.3e9)
-"""Of Hertz at the pitch point: up to what ISO 6336-5 allows of case-hardened steel (1300 to 1650
-MPa) less the usual safety; the lower end is that of normalised steel."""
+"""Hertz pressure at the pitch point: up to the limit of ISO 6336-5 for case-hardened steel (1300 to
+1650 MPa) less the usual safety; the lower end is normalised steel.
+"""
 
 LEAST_SHARE = 1 / 3
-"""Of the load of a tooth where its contact begins and ends, two pairs sharing it: ISO/TS 6336-22,
-from there linearly to twice as much where one pair has all of it."""
+"""Load of a tooth where its contact begins and ends, with two pairs in contact: ISO/TS 6336-22,
+rising linearly to twice this where a single pair bears all.
+"""
 
 VISCOSITY_PA_S = (0.008, 0.25)
 """Where they run: ISO VG 68 to 460 at 50 to 100 C."""
@@ -79,7 +81,7 @@ class Mesh(NamedTuple):
 
 
 def gear_contacts(eyring: bool = True, count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
-    """Yield contacts of gears, the rough flank that of the pinion and of the wheel in turn."""
+    """Yield contacts of gears, the rough flank on the pinion and on the wheel in turn."""
     random = np.random.default_rng(SEED)
     for number in range(count):
         teeth = int(random.integers(*PINION_TEETH, endpoint=True))

@@ -16,10 +16,10 @@ from studies.atlas.design import GROUPS, random_contacts, spread_contacts, uncer
 from studies.atlas.waves import MARGIN, random_wavelength
 
 CONTACTS = 32
-"""Of one batch."""
+"""Contacts of a batch."""
 
 WAVES = 5
-"""Of one contact."""
+"""Waves of a contact."""
 
 SEED = 2200
 
@@ -41,9 +41,9 @@ THICK_FILMS = ((4.0, (-26.0, 6.0)), (1.0, (-13.0, 3.0)))
 
 
 def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
-    """Write the sweep of a batch: where the atlas so far knows least, if there is one.
+    """Write the sweep of a batch: where the present atlas is least accurate, if any.
 
-    Without one it fills the ranges and a little below.
+    Without an atlas it fills the ranges and a little below.
     """
     random = np.random.default_rng([batch, SEED])
     if atlas is not None:

@@ -1,4 +1,4 @@
-"""Where the atlases of line contacts that slide are computed: as that of those that roll."""
+"""Where the atlases of line contacts that slide are computed: as in rolling."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -25,25 +25,25 @@ from studies.atlas.line_design import waves
 from studies.atlas.waves import random_wavelength
 
 CONTACTS = 32
-"""Of one batch."""
+"""Contacts of a batch."""
 
 SEED, VALIDATION_SEED = 2300, 2031
 
 GROUPS_OF = {LINE_SLIDING.name: SLIDING_DESIGN.groups, LINE_NEWTONIAN.name: GROUPS}
-"""What all cases share."""
+"""Shared keys of all cases."""
 
 SIZES = (1024, 1536, 2048, 3072, 4096, 6144, 8192)
 COARSER = 0.625
-"""Of the mesh sizes in the length of the inlet of contacts that roll: there are many contacts."""
+"""Mesh sizes in the length of the inlet, over rolling contacts: there are many contacts."""
 
 EVENLY_SPREAD = {LINE_SLIDING.name: 32, LINE_NEWTONIAN.name: 20}
 """Batches over all of the ranges; those that follow are where machines are."""
 
 SLIGHT_SLIP = (5e-4, 0.05)
-"""Of Ree-Eyring oils: deviation of S from 1, as of rollers. Friction is still linear there."""
+"""Ree-Eyring oils: deviation of S from 1, as in rollers. Friction is still linear there."""
 
 LIGHT = {"load_parameter_m": (COMPUTED.ranges["load_parameter_m"][0], 100.0)}
-"""Of Newtonian oils, as of gears and cams: responses change most from one contact to the next."""
+"""Newtonian oils, as in gears and cams: responses change most between contacts."""
 
 EXTENDED = ("load_parameter_m", "lubricant_parameter_l")
 """Keys of which contacts lie a little below the range, too."""
@@ -52,9 +52,9 @@ EXTENDED = ("load_parameter_m", "lubricant_parameter_l")
 def write_batch(
     folder: Path, batch: int, atlas: Atlas | None = None, kind: Kind = LINE_SLIDING
 ) -> Path:
-    """Write the sweep of a batch: where the atlas so far knows least, if there is one.
+    """Write the sweep of a batch: where the present atlas is least accurate, if any.
 
-    Without one it fills the ranges and a little below.
+    Without an atlas it fills the ranges and a little below.
     """
     random = np.random.default_rng([batch, SEED])
     ranges = {
@@ -73,7 +73,7 @@ def write_batch(
 def machine_contacts(
     ranges: Ranges, piece: int, kind: Kind, random: np.random.Generator
 ) -> list[Contact]:
-    """Return contacts of a piece, counted from 0, where those of machines mostly are."""
+    """Return contacts of a piece, counted from 0, where contacts of machines mostly are."""
     if kind is LINE_NEWTONIAN:
         return spread_contacts({**ranges, **LIGHT}, SEED + 1, CONTACTS, piece, kind)
     found = spread_contacts(ranges, SEED + 1, CONTACTS, piece, kind)
@@ -85,7 +85,7 @@ def machine_contacts(
 
 
 def case(contact: Mapping[str, float], wave: float, share: float = 1.0) -> sweeps.Row:
-    """Return a case with a grid that resolves its inlet, with a share of what rolling ones have."""
+    """Return a case with a grid that resolves its inlet, with a share of the cells in rolling."""
     found = line_design.case(contact, wave, share * line_design.INLET_CELLS, SIZES)
     return as_keys(found)
 

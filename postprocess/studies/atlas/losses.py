@@ -17,13 +17,13 @@ CLOSE = 0.003
 """Misses of responses, units of Ai, below which they count by their square, above by their size."""
 
 CLOSE_FILM = 0.002
-"""The same of logarithms of films."""
+"""Close distance of logarithms of films."""
 
 CLOSE_RISE = 0.05
-"""The same of rises of the mean film."""
+"""Close distance of rises of the mean film."""
 
 PRESSURE_SHARE, RISE_SHARE = 0.3, 0.02
-"""Of deflections and rises, beside those of film responses."""
+"""Shares of deflections and rises, beside film responses."""
 
 FREEDOM = 4.0
 """Degrees of freedom of Student's distribution of errors over their bars."""
@@ -40,7 +40,7 @@ class Waves:
     seen : Seen
         The waves.
     film, left : ndarray of complex
-        Film responses, and what :meth:`Seen.pressure_left` finds.
+        Film responses, and the result of :meth:`Seen.pressure_left`.
     rise : ndarray
         Of the mean film, NaN where it is not known.
     """
@@ -57,11 +57,11 @@ class Waves:
         return np.array([0.1] * (self.seen.film_numbers + 2) + [0.3])
 
     def missed(self, numbers: Floats) -> Complex:
-        """Return what film responses lack."""
+        """Return the misses of film responses."""
         return self.seen.film(numbers) - self.film
 
     def loss(self, numbers: Floats) -> tuple[float, Floats]:
-        """Return what the numbers lack, and its slopes."""
+        """Return the misses of the numbers, and their slopes."""
         count, films = numbers.shape[0], self.seen.film_numbers
         slopes = np.zeros_like(numbers)
         value, back = robust(self.missed(numbers), CLOSE)
@@ -90,14 +90,14 @@ class Films:
         return self.numbers.std(axis=0)
 
     def loss(self, numbers: Floats) -> tuple[float, Floats]:
-        """Return what the numbers lack, and its slopes."""
+        """Return the misses of the numbers, and their slopes."""
         value, slopes = robust(numbers - self.numbers, CLOSE_FILM)
         return value / len(numbers), slopes / len(numbers)
 
 
 @dataclass(frozen=True)
 class Errors:
-    """Misses of what was predicted, (n, outputs): the loss is of the logarithm of their size."""
+    """Misses of predictions, (n, outputs): the loss is of the logarithm of their size."""
 
     inputs: Floats
     misses: Floats

@@ -18,19 +18,19 @@ from studies.atlas.centre import centre_pressures
 Floats = NDArray[np.float64]
 
 LARGEST_CORRECTION = 0.03
-"""Of a response by extrapolation, in units of Ai: beyond it the grid was too coarse."""
+"""Change of a response by extrapolation, in units of Ai: beyond it the grid was too coarse."""
 
 SAME_CASE = 1e-3
 """Distance, in logarithms of the keys, of cases that differ by rounding alone."""
 
 LARGEST_RISE = 3.0
-"""Of the mean film: what is far above is of long waves that the load, not the oil, balances."""
+"""Rise of the mean film: larger rises come from long waves that the load, not the oil, balances."""
 
 LARGEST_PRESSURE = 1.02
 """P at the centre; more than that is of a spike elsewhere."""
 
 LEFT_BY_EXTRAPOLATION = 0.25
-"""Of the correction, as the next grid finds it."""
+"""Share of the correction, as the next grid finds it."""
 
 
 def read_points(
@@ -81,7 +81,7 @@ def read_points(
 
 
 def contact_of(data: xr.Dataset) -> NDArray[np.intp]:
-    """Return the contact of each response: those of the first come first."""
+    """Return the contact of each response: responses of the first contact come first."""
     return np.repeat(np.arange(data.sizes["contact"]), data["responses"].values)
 
 
@@ -91,12 +91,12 @@ def waves_of(data: xr.Dataset) -> tuple[Floats, Floats]:
 
 
 def film_numbers(data: xr.Dataset, names: Sequence[str]) -> Floats:
-    """Return what is known of contacts by these names, shape (contacts, names)."""
+    """Return the data of contacts by these names, shape (contacts, names)."""
     return np.stack([data[name].values for name in names], axis=1)
 
 
 def _rises(table: pd.DataFrame, oblique: Path | None, keys: Sequence[str]) -> np.ndarray:
-    """Return what each wave adds to the mean film; of products of cosines, that of one wave."""
+    """Return the rise of the mean film by each wave; for products of cosines, by a single wave."""
     rise = (table["mean_film_rise"] / table["amplitude_over_film"]).to_numpy(float, copy=True)
     is_product = (table["wavelength_x_over_a"] > 0) & (table["wavelength_y_over_a"] > 0)
     rise[is_product] = np.nan
@@ -112,7 +112,7 @@ def _rises(table: pd.DataFrame, oblique: Path | None, keys: Sequence[str]) -> np
 
 
 def _places(table: pd.DataFrame, contact: Sequence[str]) -> np.ndarray:
-    """Return what tells cases apart."""
+    """Return the columns that identify cases."""
     keys = [*contact, "wavelength_x_over_a", "wavelength_y_over_a"]
     return np.log(np.maximum(table[keys].to_numpy(float), 1e-9))
 
@@ -125,7 +125,7 @@ def _with_modulus(table: pd.DataFrame) -> pd.DataFrame:
 def _films(contacts: pd.DataFrame, kind: Kind, base: Floats) -> dict[str, np.ndarray]:
     """Return the keys of contacts and the logarithms of their films, and of friction.
 
-    Films grow with finer grids, smallest ones too; the estimated error is what is missing.
+    Films grow with finer grids, also smallest films; the estimated error is the missing part.
     """
     central = contacts["central_film_moes"] * (1 + contacts["central_film_error"])
     smallest = contacts["minimum_film"] * (1 + contacts["minimum_film_error"])
@@ -156,7 +156,7 @@ def _centre(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
 def _frictions(
     contacts: pd.DataFrame, expected: np.ndarray, film_error: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """Return ln of the mean shear stress over the expected one, and its error.
+    """Return ln of the mean shear stress over the expected stress, and its error.
 
     The stress is as the logarithm of the film, so that it errs at most as the film does.
     """

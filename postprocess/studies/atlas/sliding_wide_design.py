@@ -40,7 +40,7 @@ THINNED, THINNED_BATCHES = 10.0, range(24, 28)
 """Least thinning of more of them, where films change most."""
 
 MOST_STEPS = {"largest_total_steps": 100}
-"""Of a case of them: what has not converged then seldom does, and only after many more."""
+"""Steps of a case: later convergence is rare and needs many more."""
 
 AT_REST = {0: 0.0, 16: 2.0}
 """S of contacts of a batch of which one surface rests, the rough one or the other, by number."""
@@ -51,14 +51,14 @@ class WideSlidingDesign(Design):
     """How the wide atlas of contacts that slide is sampled."""
 
     def grid(self, contact: Mapping[str, float]) -> tuple[int, int]:
-        """Return cells along X and Y: thick films do with fewer, thin ones ask for more."""
+        """Return cells along X and Y: thick films need fewer, thin films more."""
         along, across = SLIDING_DESIGN.grid(contact)
         if hertz_film(*(contact[key] for key in MOES_KEYS)) > THICK_FILM:
             return SIZES[0], min(across, SIZES[0])
         return (SIZES[3], SIZES[2]) if film_under_slip(contact) < EASY["film"] else (along, across)
 
     def judges(self, contact: Mapping[str, float]) -> bool:
-        """Return whether the atlas is judged by a contact: the usual one answers for its own."""
+        """Return whether the atlas is judged by a contact: the usual atlas covers its own."""
         return not (self.kind.beyond(contact) or SLIDING.holds(contact))
 
 
@@ -75,7 +75,7 @@ SLIDING_WIDE_DESIGN = WideSlidingDesign(
 
 
 def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
-    """Write the sweep of a batch: where the atlas so far knows least, if there is one."""
+    """Write the sweep of a batch: where the present atlas is least accurate, if any."""
     design = SLIDING_WIDE_DESIGN
     if atlas is not None:
         chosen = uncertain_contacts(atlas, design.seed + 1000 + batch)

@@ -23,7 +23,7 @@ PARTS = {
 """Content of the file for each committee of networks: dimensions and description."""
 
 MOST_STEPS = 32767
-"""Of weights, which are kept in two bytes each."""
+"""Steps of weights, which are kept in two bytes each."""
 
 
 def variables_of(name: str, committee: Committee) -> dict[str, xr.Variable]:
@@ -39,7 +39,7 @@ def variables_of(name: str, committee: Committee) -> dict[str, xr.Variable]:
 def write_atlas(data: xr.Dataset, path: Path) -> None:
     """Write an atlas as classic NetCDF, a third as large as HDF5, with its checksum."""
     written = xr.Dataset({name: _packed(data[name]) for name in data}, attrs=data.attrs)
-    for _ in range(2):  # the checksum is that of the numbers as they are stored
+    for _ in range(2):  # the checksum covers the numbers as stored
         data = bytes(written.to_netcdf(engine="scipy", format="NETCDF3_CLASSIC"))
         with xr.open_dataset(io.BytesIO(data), engine="scipy", **AS_STORED) as opened:
             written.attrs["checksum"] = checksum(opened.load())
@@ -47,7 +47,7 @@ def write_atlas(data: xr.Dataset, path: Path) -> None:
 
 
 def _packed(weights: xr.DataArray) -> xr.DataArray:
-    """Return weights in two bytes each and the step between them; what inputs are like stays."""
+    """Return weights in two bytes each and the step between them; the scaling of inputs stays."""
     if weights.ndim == 1:
         return weights
     step = float(np.abs(weights).max()) / MOST_STEPS

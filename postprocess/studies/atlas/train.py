@@ -13,10 +13,10 @@ from ehlwave.laws.atlas.committee import Committee, Layers, outputs_of
 Floats = NDArray[np.float64]
 
 Loss = Callable[[Floats], tuple[float, Floats]]
-"""Of outputs, shape (n, outputs): what is made small, and its derivatives by them."""
+"""Function of outputs, shape (n, outputs): the loss, and its derivatives by them."""
 
 REMEMBERED = 20
-"""Steps of which the quasi-Newton method knows the curvature."""
+"""Steps whose curvature the quasi-Newton method keeps."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Recipe:
     steps : int
         Of the quasi-Newton method.
     decay : float
-        What the square of each weight adds to the loss.
+        Loss by the square of each weight.
     """
 
     networks: int
@@ -46,8 +46,8 @@ def fitted(
 ) -> Committee:
     """Return networks of inputs `places`, (n, inputs), that make a loss small.
 
-    `scales`, (outputs,), are the usual sizes of the outputs; `seeds` are those of the weights that
-    the networks begin with.
+    `scales`, (outputs,), are the usual sizes of the outputs; `seeds` determine the initial weights
+    of the networks.
     """
     centre, scatter = places.mean(axis=0), places.std(axis=0)
     scatter[scatter < 1e-9 * np.abs(centre) + 1e-12] = 1.0
@@ -76,7 +76,7 @@ def _stacked(layers: Iterable[Layers]) -> Layers:
 def _network(
     scaled: NDArray[np.float32], loss: Loss, sizes: list[int], recipe: Recipe, seed: int
 ) -> Layers:
-    """Return one network, from random weights on."""
+    """Return a network, from random weights on."""
     shapes = [
         shape
         for rows, columns in pairwise(sizes)

@@ -20,7 +20,7 @@ FILMS = ("central film, relative", "smallest film, relative", "friction, relativ
 class Judged:
     """Errors and error bars: of film responses, units of Ai, and of films, relative.
 
-    Those of films have shape (contacts, films).
+    Films have shape (contacts, films).
     """
 
     response: Floats
@@ -30,7 +30,7 @@ class Judged:
     load: Floats
 
     def text(self) -> str:
-        """Return what a reader wants to know: shares within the bars, median, 95th percentile."""
+        """Return the summary for readers: shares within the bars, median, 95th percentile."""
         return "\n".join(
             f"{name}: {len(error)} conditions, {100 * np.mean(error <= bar):.1f} % within the bar, "
             f"median {np.median(error):.4f} (of the bar {np.median(bar):.4f}), "
@@ -39,7 +39,7 @@ class Judged:
         )
 
     def rows(self, of: str) -> list[Row]:
-        """Return the same as rows of a table, `of` what is judged."""
+        """Return the summary as rows of a table, `of` the judged quantity."""
         return [
             {
                 "of": of,
@@ -83,7 +83,7 @@ def judge(atlas: Atlas, computed: xr.Dataset) -> Judged:
 
 
 def _relative(left: Floats) -> list[float]:
-    """Return the relative errors of films by those of their logarithms, as a kind names them."""
+    """Return the relative errors of films from errors of logarithms, as a kind names them."""
     return [abs(float(np.expm1(log))) for log in (left[0], left[0] + left[1], *left[2:3])]
 
 

@@ -31,7 +31,7 @@ def patterns(
         for place in order:
             most = LONGITUDINAL if design.most_cells else 90
             theta = np.radians(min(random.uniform(0, most), 90) if angle is None else angle)
-            # What neither direction's mesh resolves is not asked for.
+            # Waves that the mesh resolves in neither direction are left out.
             low = max(WAVE_RANGE[0] / MARGIN, *(shortest * np.abs([np.cos(theta), np.sin(theta)])))
             high = WAVE_RANGE[1] * MARGIN
             wave = low * (high / low) ** ((place + random.random()) / count)
@@ -53,7 +53,7 @@ def random_wave(
 ) -> dict[str, float]:
     """Return a pattern of any length and direction in the range, and a grid that resolves it.
 
-    A quarter are transverse. What 1024 cells do not resolve is drawn again.
+    A quarter are transverse. Waves that 1024 cells do not resolve are drawn again.
     """
     while True:
         wave = random_wavelength(random)

@@ -52,12 +52,12 @@ def atlas(options: argparse.Namespace) -> int:
     """Compute anew, or judge, the atlas that the package ehlwave answers from.
 
     Computes smooth contacts and nine small waves in each, batch by batch of 32 contacts: 24 batches
-    fill the ranges of M, L, D and the oil; later ones go where the error bars are largest that the
-    batches before leave. Then the rise of the mean film under oblique waves is computed, and
+    fill the ranges of M, L, D and the oil; later batches go where the error bars of the earlier
+    batches are largest. Then the rise of the mean film under oblique waves is computed, and
     networks are fitted to all that. A batch takes a minute of two cores, a fit ten. --wide is for M
     to 100,000, L to 42 and D from 0.01, by the fitted scheme: ten of its 17 batches lie within M of
-    10,000 and L of 20, the others beyond. The atlas is DIR/rolling.nc, rolling_wide.nc,
-    sliding.nc, sliding_wide.nc, line.nc, line_sliding.nc or line_newtonian.nc.
+    10,000 and L of 20, the others beyond. The atlas is DIR/rolling.nc, rolling_wide.nc, sliding.nc,
+    sliding_wide.nc, line.nc, line_sliding.nc or line_newtonian.nc.
 
     Contacts that slide have eight waves each; 64 batches fill the ranges, of S and of the Eyring
     stress, too; the atlas begins with the responses of contacts that roll, of the package.
@@ -95,7 +95,7 @@ def atlas(options: argparse.Namespace) -> int:
         return steps.report("atlas", "validate", folder, *given(options, "atlas"), *of_kind)
     for batch in range(options.batches or BATCHES[kind]):
         file = folder / f"{kind}-{batch:02d}.nml"
-        # A batch that was chosen stays: what it wanted depends on the atlas of its day.
+        # A chosen batch is kept: its choice depends on the atlas at that time.
         if not file.is_file():
             steps.python("atlas", "batch", folder, "--batch", batch, *processes, *of_kind)
         steps.sweep(file, stdout=sys.stderr)

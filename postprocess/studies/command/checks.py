@@ -21,18 +21,18 @@ from studies.command.options import at_once, flag, given, option, study
     option("--seed", "COUNT", "of the random numbers (default 14, with --all-keys 33)"),
 )
 def accuracy(options: argparse.Namespace) -> int:
-    """Check that errors are what was asked for.
+    """Check that errors are within the requested accuracy.
 
     Draws random contacts with accuracy = 0.01, smooth, with small waves and marched in time, and
     compares them with half the mesh on twice the domain. A run that is there goes on. Writes
     asked.h5, finer.h5 and accuracy.csv. Exit status: 0 if nothing is off by more than 2 % silently
     and 95 % are within 1 %.
 
-    --all-keys draws legal inputs over every key, and compares each that converges with the same on
-    twice the cells and half the time step: H(0,0), smallest H, Ad/Ai, complex response, friction.
-    What is off is in offenders.csv; about 20 minutes on two cores. Exit status: 0 if no number is
-    further off than 1.5 times its error plus 0.2 %, no film is negative, and no case takes more
-    than ten times its planned work.
+    --all-keys draws legal inputs over every key, and compares each that converges with the same
+    input on twice the cells and half the time step: H(0,0), smallest H, Ad/Ai, complex response,
+    friction. Offenders are in offenders.csv; about 20 minutes on two cores. Exit status: 0 if no
+    number is further off than 1.5 times its error plus 0.2 %, no film is negative, and no case
+    takes more than ten times its planned work.
     """
     name = "accuracy-all-keys" if options.all_keys else "accuracy"
     folder = options.output or steps.ROOT / "build" / name
@@ -53,8 +53,8 @@ def accuracy(options: argparse.Namespace) -> int:
 def jacobian(options: argparse.Namespace) -> int:
     """Test the Jacobian of every law of viscosity and flow (Taylor test).
 
-    What the product with the Jacobian leaves of a change of the residual must shrink with the
-    square of the step: order 2.
+    The difference between the product with the Jacobian and a change of the residual must shrink
+    with the square of the step: order 2.
 
     Exit status: 0 it does everywhere; otherwise it does not, or the build failed.
     """

@@ -18,7 +18,7 @@ def error_vs_time(options: argparse.Namespace) -> int:
 
     Runs a table of contacts with them as a sweep on one core, and compares each with a finer
     solution. Writes cases.h5, runs.csv, errors.csv, orders.csv, estimates.csv, models.csv and
-    figures. The coefficients in models.csv are those of src/case/accuracy_model.f90.
+    figures. src/case/accuracy_model.f90 has the coefficients of models.csv.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
@@ -39,12 +39,12 @@ def error_vs_time(options: argparse.Namespace) -> int:
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
 )
 def speed(options: argparse.Namespace) -> int:
-    """Measure what a steady state, a time step and a fine grid cost.
+    """Measure the cost of a steady state, a time step and a fine grid.
 
-    Runs M = 100, L = 12.05, D = 1 on one core with the methods newton and fas, one run after
-    another: the smooth steady state on 257 x 257 and 1025 x 1025 nodes and transverse waviness of
-    lambda = 0.5 a on 257 x 257, marched, small and periodic, with what is left of algebraic error.
-    Both steady states once more with the default, auto. Writes speed.csv.
+    Runs M = 100, L = 12.05, D = 1 on one core with the methods newton and fas, in successive runs:
+    the smooth steady state on 257 x 257 and 1025 x 1025 nodes and transverse waviness of lambda =
+    0.5 a on 257 x 257, marched, small and periodic, with the remaining algebraic error. Both steady
+    states once more with the default, auto. Writes speed.csv.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
@@ -61,12 +61,12 @@ def speed(options: argparse.Namespace) -> int:
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
 )
 def threads(options: argparse.Namespace) -> int:
-    """Compare one contact on several threads with as many runs side by side.
+    """Compare a contact on several threads with as many runs side by side.
 
     Runs M = 100, L = 12.05, D = 1, smooth and with the first 32 time steps of transverse waviness
     of lambda = 0.5 a, by the method auto. Printed is the share of the throughput of the separate
-    runs that the threads reach. The first line is that of square roots, which need nothing of each
-    other: more than that the machine does not have. Writes threads.csv.
+    runs that the threads reach. The first line is for independent square roots: the upper limit of
+    the machine. Writes threads.csv.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
@@ -87,17 +87,18 @@ def threads(options: argparse.Namespace) -> int:
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
 )
 def peers(options: argparse.Namespace) -> int:
-    """Compare with public solvers: one contact, error against processor time.
+    """Compare with public solvers: a contact, error against processor time.
 
     Runs the smooth contact of Mourier and others (2006) by this program, by EHL-FBNS in GNU Octave
-    and by slippy, each on 32 x 32 cells and finer ones, on one core. A solver whose folder is not
-    given is skipped, which is said. Errors are those of the central film against the value of this
-    program for mesh size 0. Writes peers.csv and a figure. The column times is the time of another
-    solver over that of the cheapest run of this program on the whole domain with no larger error.
+    and by slippy, each on 32 x 32 cells and finer grids, on one core. A solver whose folder is not
+    given is skipped, with a message. Errors are errors of the central film against the value of
+    this program for mesh size 0. Writes peers.csv and a figure. The column times is the time of
+    another solver over that of the cheapest run of this program on the whole domain with no larger
+    error.
 
     --book names a program that solves M = 20, L = 10, D = 1 with Barus' law and an incompressible
-    oil in (-4.5, 1.5) x (-3, 3) on as many cells along each side as its first argument says, with
-    as many relaxations on its coarsest grid as its second says (40 as printed, and 4), and prints
+    oil in (-4.5, 1.5) x (-3, 3) on as many cells along each side as its first argument, with as
+    many relaxations on its coarsest grid as its second argument (40 as printed, and 4), and prints
     a line "film" with H(0,0) behind it.
 
     Exit status: 0 done, 1 failed, 2 bad usage.

@@ -25,7 +25,7 @@ OILS = {
 
 
 def _sweep(name: str, file: Path | None = None) -> int:
-    """Run a sweep file, that of its name in inputs/full unless another is given."""
+    """Run a sweep file, by default the file of its name in inputs/full."""
     return steps.sweep(file or INPUTS / f"{name}.nml", "--output", Path.cwd() / f"{name}.h5")
 
 
@@ -38,7 +38,7 @@ def _input(name: str) -> str:
 
 
 def _sweep_of_rows(name: str, like: str = "") -> int:
-    """Run a sweep whose rows are computed, or one like it with rows of its own."""
+    """Run a sweep with computed rows, or a similar sweep with rows of its own."""
     steps.python("paper.cases", name, f"{name}.csv")
     return _sweep_of_text(name, _input(like).replace(like, name)) if like else _sweep(name)
 
@@ -48,7 +48,7 @@ def _rheology(oil: str) -> int:
 
 
 def _two_waves() -> int:
-    """Run what the law is fitted to, and other conditions to try it on."""
+    """Run the fit cases of the law, and other conditions as a test."""
     status = 0
     for name in ("two_waves", "two_waves_fresh"):
         steps.python("two_waves.cases", name, f"{name}.csv")
@@ -57,7 +57,7 @@ def _two_waves() -> int:
 
 
 def _sliding() -> int:
-    """Run ridges and dimples that slide, and what they are predicted from."""
+    """Run ridges and dimples that slide, and the cases to predict them from."""
     (names,) = steps.written("two_waves.shapes", Path.cwd())
     return max([_sweep(name, Path.cwd() / f"{name}.nml") for name in names.split()])
 
@@ -90,14 +90,14 @@ NAMES = tuple(dict.fromkeys(name.split("-")[0] for name in STAGES))
 
 @study("full", output("full"), at_once(), choices("--stage", NAMES, "this stage only"))
 def run(options: argparse.Namespace) -> int:
-    """Compute and report what the paper has: the stages of scripts/reproduce --full.
+    """Compute and report the results of the paper: scripts/reproduce --full.
 
     Runs every stage that is not finished, then writes DIR/report. Needs a build, which
     scripts/reproduce makes. Finished cases are kept, and long transients go on from their
     checkpoints. EHLWAVE_PROGRAMS names another folder of programs.
 
     Exit status: 0 done; 1 done, but some cases did not converge; 85 stopped, to be continued;
-    otherwise that of the stage that failed.
+    otherwise the status of the failed stage.
     """
     programs = Path(os.environ.get("EHLWAVE_PROGRAMS") or steps.DRIVERS)
     os.environ["EHLWAVE_SWEEP"] = str(programs / "ehlwave-sweep")
@@ -111,7 +111,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _timed(name: str) -> int:
-    """Run a stage and note its time, also of one that is stopped; return 0, or 1."""
+    """Run a stage and note its time, also if stopped; return 0, or 1."""
     started = time.time()
     print(f"\n== Stage {name}  [{time.strftime('%H:%M:%S')}]", flush=True)
     try:

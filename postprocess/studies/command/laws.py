@@ -17,10 +17,10 @@ from studies.command.options import at_once, flag, given, option, output, study
 def starvation(options: argparse.Namespace) -> int:
     """Fit laws of film and waves of contacts with too little oil.
 
-    Computes films of contacts over M, L and D with 0.2 to 5 times the oil that they pass flooded,
-    and linear responses of half as many. Fits R(r) and Ad/Ai(x, R), each contact held out in turn,
-    with intervals by drawing contacts again. Writes films.h5, waves.h5, laws.csv and a figure. The
-    coefficients in laws.csv are those of ehlwave.contact.starvation.
+    Computes films of contacts over M, L and D with 0.2 to 5 times the flooded flow of oil, and
+    linear responses of half as many. Fits R(r) and Ad/Ai(x, R), each contact held out in turn, with
+    intervals by drawing contacts again. Writes films.h5, waves.h5, laws.csv and a figure.
+    ehlwave.contact.starvation has the coefficients of laws.csv.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
@@ -49,10 +49,10 @@ def heat(options: argparse.Namespace) -> int:
     """Fit laws of friction and smallest films with heat; judge the inlet law.
 
     Computes contacts drawn over pressure, speed, oil, bodies and slide-to-roll ratio, with and
-    without heat. Fits friction over that of an even film under Hertz pressure, contacts held out,
-    and smallest films over central ones; compares films with the law of ``scripts/study inlet`` and
-    finds errors that hold. Ten minutes on one core. Writes lines.h5, points.h5, contacts.csv,
-    films.csv, laws.csv and a figure. The coefficients in laws.csv are those of
+    without heat. Fits friction over the friction of an even film under Hertz pressure, contacts
+    held out, and smallest over central films; compares films with the law of ``scripts/study
+    inlet`` and finds errors that hold. Ten minutes on one core. Writes lines.h5, points.h5,
+    contacts.csv, films.csv, laws.csv and a figure. The coefficients in laws.csv are those of
     ehlwave.laws.heat_laws; warm_films.json of the package is written.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
@@ -81,8 +81,8 @@ def inlet(options: argparse.Namespace) -> int:
     Computes contacts drawn as in ``scripts/study heat``, rounder and with thicker films too, with
     and without heat. Fits the loss of film over thermal loading, sliding, bodies, film and shape,
     contacts held out. Ten minutes on one core. Writes lines.h5, points.h5, contacts.csv, law.csv
-    and the tables of both languages; copies of the latter replace src/contact/
-    inlet_coefficients.f90 and ehlwave.laws.inlet_coefficients.
+    and the tables of both languages; copies of these replace src/contact/ inlet_coefficients.f90
+    and ehlwave.laws.inlet_coefficients.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
@@ -108,7 +108,7 @@ def judged(options: argparse.Namespace) -> int:
     Draws contacts, computes each by ehlwave-case, and compares the package. Parts: the smallest
     films of heavy and slender contacts, waves under slip in Carreau oils, waves in warm contacts,
     and films, friction and responses of isothermal contacts of all kinds. An hour on one core; an
-    interrupted study goes on. Writes one table a part and coverage.csv. With --write the
+    interrupted study goes on. Writes a table per part and coverage.csv. With --write the
     coefficients of the first three go into the package.
 
     Exit status: 0 all errors hold for 95 % and at most 1 % are beyond 1.5 times; 1 otherwise; 2 bad

@@ -26,10 +26,10 @@ def stability(options: argparse.Namespace) -> int:
     """Map where the solver works.
 
     Builds, runs steady and short wavy cases from mild to extreme as a sweep, and writes a table and
-    two maps of what became of them: converged, converged but unresolved, refused, failed.
+    two maps of their outcomes: converged, converged but unresolved, refused, failed.
 
-    Exit status: 0 all resolved cases converged and no result claims what it should not; 85 stopped,
-    to be continued; 1 otherwise.
+    Exit status: 0 all resolved cases converged and no result makes a false claim; 85 stopped, to be
+    continued; 1 otherwise.
     """
     folder, cases = options.output, ("--cases", options.cases or "full")
     steps.call(steps.SCRIPTS / "install-requirements")

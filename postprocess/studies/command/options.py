@@ -45,7 +45,7 @@ def step_parser(run: Run, about: str | None) -> argparse.ArgumentParser:
 
 
 def value_of(pattern: str, make: Callable[[str], Any], what: str) -> Callable[[str], Any]:
-    """Return what reads a value of this pattern and refuses any other."""
+    """Return a reader of a value of this pattern that refuses any other."""
 
     def read(text: str) -> Any:  # noqa: ANN401
         if not re.fullmatch(pattern, text):

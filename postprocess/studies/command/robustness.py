@@ -32,13 +32,13 @@ def torture(options: argparse.Namespace) -> int:
     """Disturb sweeps, which survive everything: the long form of a test.
 
     Disturbs sweeps at random moments (kill -9 of ranks and of mpirun, SIGTERM, SIGUSR1, full disk);
-    after each, the store must be readable and hold at least what it held; at the end every case
-    must be there once, equal bit for bit to an undisturbed run. Takes about 10 minutes on 2 cores.
-    The small disk wants root. Then as many runs in each of which a call of the system (open, read,
-    write, fsync, rename, unlink, mkdir) fails once, for a while or for ever. Then bad days of each
-    mode: the launcher is killed under scripts/run-sweep, the file system refuses locks, another
-    program holds the results open. The last line counts signals, faults, days, and what was lost,
-    doubled, different, hung or crashed. Needs a build (scripts/build release).
+    after each, the store must be readable and keep its content; at the end every case must be there
+    once, equal bit for bit to an undisturbed run. Takes about 10 minutes on 2 cores. The small disk
+    needs root. Then as many runs in each of which a system call (open, read, write, fsync, rename,
+    unlink, mkdir) fails once, for a while or for ever. Then bad days of each mode: the launcher is
+    killed under scripts/run-sweep, the file system refuses locks, another program holds the results
+    open. The last line counts signals, faults, days, and what was lost, doubled, different, hung or
+    crashed. Needs a build (scripts/build release).
 
     Exit status: 0 passed.
     """
@@ -67,9 +67,9 @@ def fuzz(options: argparse.Namespace) -> int:
     """Give mutated inputs to everything that reads a file, 100,000 of each kind.
 
     Targets: case, sweep, table (CSV), record (log of a store), surface (HDF5), trace (ehlwave
-    surface). None may end the process, hang for 10 s or take 1 GiB; an input that does is kept in
-    the present folder. About 5 minutes a target; with --guided 10, of all but trace. Needs a build
-    (scripts/build release; EHLWAVE_FUZZ_TARGET names the program of another one).
+    surface). None may end the process, hang for 10 s or take 1 GiB; such an input is kept in the
+    present folder. About 5 minutes a target; with --guided 10, of all but trace. Needs a build
+    (scripts/build release; EHLWAVE_FUZZ_TARGET names the program of another build).
 
     Exit status: 0 passed.
     """

@@ -1,4 +1,4 @@
-"""The steps of studies: build, run a sweep, run Python. What they need is in ``os.environ``."""
+"""The steps of studies: build, run a sweep, run Python. Their settings are in ``os.environ``."""
 
 import os
 import signal
@@ -26,7 +26,7 @@ _waiting: list[int] = []
 
 
 class StoppedError(Exception):
-    """A step failed and has said why; the study ends with its exit status."""
+    """A step failed with a message; the study ends with its exit status."""
 
     def __init__(self, status: int) -> None:
         super().__init__(status)
@@ -34,7 +34,7 @@ class StoppedError(Exception):
 
 
 def refuse(message: str) -> StoppedError:
-    """Say why a study cannot be run, and return the error to raise."""
+    """Print why a study cannot be run, and return the error to raise."""
     print(f"scripts/study: {message}", file=sys.stderr)
     return StoppedError(2)
 
@@ -45,7 +45,7 @@ def call(
     folder: Path | None = None,
     stdout: Stream = None,
 ) -> tuple[int, str]:
-    """Run a command; return its exit status and, with ``stdout=subprocess.PIPE``, what it said.
+    """Run a command; return its exit status and, with ``stdout=subprocess.PIPE``, its output.
 
     Raises StoppedError if its exit status is not accepted.
     """
@@ -64,7 +64,7 @@ def call(
 
 
 def pass_signals_on() -> None:
-    """Leave it to the step that runs what a signal does, so that a sweep stops in good order."""
+    """Leave signals to the running step, so that a sweep stops in good order."""
 
     def pass_on(number: int, _: object) -> None:
         if _running:
@@ -98,7 +98,7 @@ def prepare(program: Path | None = None) -> None:
 
 
 def find_python(*options: str) -> None:
-    """Set EHLWAVE_PYTHON and PYTHONPATH as ``scripts/python-environment`` says."""
+    """Set EHLWAVE_PYTHON and PYTHONPATH from ``scripts/python-environment``."""
     shell = 'settings=$("$@") && eval "$settings" && printf "%s\\n" "$EHLWAVE_PYTHON" "$PYTHONPATH"'
     words = ("bash", "-c", shell, "bash", SCRIPTS / "python-environment", *options)
     _, said = call(*words, stdout=subprocess.PIPE)
@@ -114,7 +114,7 @@ def python(
 
 
 def written(module: str, *words: object) -> list[str]:
-    """Run a module of ``studies``; return the lines that it printed: what it wrote."""
+    """Run a module of ``studies``; return its printed lines: the files written."""
     return python(module, *words, stdout=subprocess.PIPE)[1].splitlines()
 
 

@@ -57,7 +57,7 @@ def measured(table: pd.DataFrame) -> Iterator[tuple[Contact, pd.DataFrame, str, 
 
 
 def error_rows(table: pd.DataFrame) -> pd.DataFrame:
-    """Return one row for each run and quantity; left out is what was run on one grid only.
+    """Return a row for each run and quantity; runs on a single grid are left out.
 
     ``error`` is the relative deviation from the reference of the contact. ``algebraic_error`` is
     that from the run on the same grid with the tightest tolerance, empty where there is none.

@@ -42,16 +42,16 @@ _LINES = (
 
 
 def error_figure(errors: pd.DataFrame, cost: str, panels: Sequence[tuple[Contact, str]]) -> Figure:
-    """Draw error against cost, one panel for each contact and quantity, one line for each method.
+    """Draw error against cost, a panel for each contact and quantity, a line for each method.
 
     Parameters
     ----------
     errors : pandas.DataFrame
         From :func:`studies.error_time.errors.error_rows`.
     cost : {"seconds", "work"}
-        The abscissa. What PETSc does itself is not counted: no points in work.
+        The abscissa. Work inside PETSc is not counted: no points in work.
     panels : sequence of (Contact, quantity)
-        What is drawn; two panels a row.
+        Quantities to draw; two panels per row.
     """
     with rc_context(_STYLE):
         rows = (len(panels) + 1) // 2

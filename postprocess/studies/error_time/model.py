@@ -1,6 +1,6 @@
-"""Fit what ``ehlwave-case --plan`` expects: error and cost as functions of the case.
+"""Fit the models of ``ehlwave-case --plan``: error and cost as functions of the case.
 
-The functions are those of src/case/accuracy_model.f90, which holds the coefficients.
+src/case/accuracy_model.f90 has the functions and holds the coefficients.
 """
 
 import math
@@ -20,20 +20,20 @@ from studies.error_time.errors import (
 )
 
 LENGTH_X = 4.0
-"""Of the domain of every run, in units of a."""
+"""Length of the domain of every run, in units of a."""
 
 SMALLEST_ERROR = 1e-3
-"""Smaller errors are near those of the reference and of the iteration: not fitted to."""
+"""Smaller errors are close to the errors of the reference and of the iteration: not fitted."""
 
 
 VALUE = "value"
-"""Column of what a model is fitted to."""
+"""Column of the fitted quantity of a model."""
 
 
 def fit_models(table: pd.DataFrame) -> pd.DataFrame:
     """Fit every model to the rows that the table has; those without enough rows are left out.
 
-    One row for each, with its coefficients and how far it is from what it was fitted to.
+    A row for each, with its coefficients and the deviation from its data.
     """
     film, ratio = grid_errors(table, FILMS[0]), grid_errors(table, RATIO)
     good = _good(with_defaults(table))
@@ -92,7 +92,7 @@ def _cost(c: np.ndarray, rows: pd.DataFrame) -> pd.Series:
 
 
 def _time_step_errors(table: pd.DataFrame) -> pd.DataFrame:
-    """Return the change of Ad/Ai from that of dT = hX on the same grid, 8 steps a wave or more."""
+    """Return the change of Ad/Ai from dT = hX on the same grid, with 8 or more steps per wave."""
     parts = [table[:0].assign(value=0.0)]
     for _, rows in by_contact(table):
         same = with_defaults(rows, "time_step_over_cell")

@@ -12,7 +12,7 @@ TIGHT = 1e-6
 
 
 class Contact(NamedTuple):
-    """One contact; wavelength over a is 0 and the orientation ``none`` where it is smooth."""
+    """A contact; wavelength over a is 0 and the orientation ``none`` where it is smooth."""
 
     m: float
     d: float
@@ -39,7 +39,7 @@ class Contact(NamedTuple):
 
 @dataclass(frozen=True)
 class Run:
-    """One case. The fields, in this order, identify a row of the table."""
+    """A case. The fields, in this order, identify a row of the table."""
 
     m: float
     d: float

@@ -1,4 +1,4 @@
-"""The table of runs: a sweep of them, and what its results say."""
+"""The table of runs: a sweep of them, and its results."""
 
 import sys
 from pathlib import Path
@@ -10,7 +10,7 @@ from studies import programs, sweeps
 from studies.error_time.runs import METHODS, WAVY, Extent, Run, all_runs
 
 NAME = "cases"
-"""Of the sweep's files."""
+"""Name of the sweep's files."""
 
 KEYS = {
     "m": "load_parameter_m",
@@ -60,7 +60,7 @@ OUTCOMES = (
 
 
 def available_methods() -> tuple[str, ...]:
-    """Return the methods that the build takes; say on standard error which are left out."""
+    """Return the methods of the build; report missing methods on standard error."""
     taken = []
     for method in METHODS:
         outcome = _plan(Run(*WAVY[0], 32, method=method))

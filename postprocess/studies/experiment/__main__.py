@@ -21,7 +21,7 @@ INPUTS = ROOT / "inputs" / "full"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Do one step; return 0, or 1 with a message on standard error."""
+    """Do a step; return 0, or 1 with a message on standard error."""
     parser = argparse.ArgumentParser(prog="experiment", description=__doc__)
     parser.add_argument("step", choices=(SMOOTH, TRACE, COSINE, "report"))
     parser.add_argument(

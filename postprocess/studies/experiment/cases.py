@@ -25,10 +25,10 @@ Groups = dict[str, dict[str, Any]]
 
 @dataclass(frozen=True)
 class Run:
-    """One case.
+    """A case.
 
     ``surface`` is smooth, trace (one wave of the trace, repeated) or cosine; ``variant`` is empty,
-    or says in what the model differs from the paper's Table 1.
+    or names the difference from the paper's Table 1.
     """
 
     surface: str
@@ -45,12 +45,12 @@ class Run:
 
     @property
     def smooth(self) -> "Run":
-        """The same with smooth surfaces."""
+        """Return the run with smooth surfaces."""
         return Run(SMOOTH, self.speed, self.cells_x, self.cells_y, self.variant)
 
 
 def all_runs(surface: str | None = None) -> list[Run]:
-    """Return every run, or those of one kind of surface."""
+    """Return every run, or all runs of a kind of surface."""
     runs = []
     for speed in SPEEDS:
         for grid in GRIDS:
@@ -68,16 +68,16 @@ def read_input(path: Path) -> Groups:
     """
     if not path.is_file():
         raise ResultsError(f"{path}: no such file; --inputs names the folder of experiment.nml")
-    return values_of(read_namelist(path))
+    return values_of(read_namelist(path), other_groups=("sweep",))
 
 
 def keys_of(run: Run, base: Groups, smooth_film_m: float | None = None) -> dict[str, Any]:
-    """Return what a run has of its own, by key.
+    """Return the individual keys of a run.
 
     Parameters
     ----------
     run : Run
-        What is run.
+        Case to run.
     base : dict
         The study's input file: the trace at the lowest speed.
     smooth_film_m : float or None
@@ -104,7 +104,7 @@ def keys_of(run: Run, base: Groups, smooth_film_m: float | None = None) -> dict[
 
 
 def shared_groups(surface: str, base: Groups, file: Path | None) -> Groups:
-    """Return what all runs of a kind of surface share; ``file`` is that of the trace's wave."""
+    """Return the shared keys of all runs of a kind of surface; ``file`` holds the trace's wave."""
     left_out = {SMOOTH: ("surface", "dynamics"), COSINE: ("surface",), TRACE: ()}[surface]
     groups = {name: keys for name, keys in base.items() if name not in left_out}
     if surface == TRACE:

@@ -1,4 +1,4 @@
-"""Films and amplitudes beside those of the paper, and what they depend on."""
+"""Films and amplitudes beside the paper's, and their dependence on parameters."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -46,7 +46,7 @@ MEASURES = {
 
 @dataclass(frozen=True)
 class Films:
-    """Results at one speed, um, at mesh size 0; of the trace and of the cosine by measure."""
+    """Results at a speed, um, at mesh size 0; of the trace and of the cosine by measure."""
 
     speed: float
     smooth: Value
@@ -60,7 +60,7 @@ class Films:
 
 
 def read_films(folder: Path, speed: float) -> Films:
-    """Read what a speed needs and extrapolate it."""
+    """Read the results of a speed and extrapolate them."""
     smooth = read_solved(folder, Run(SMOOTH, speed, *max(GRIDS)))
     trace, cosine = (
         {name: extrapolated(folder, kind, speed, measure) for name, measure in MEASURES.items()}
@@ -80,7 +80,7 @@ def read_films(folder: Path, speed: float) -> Films:
 def film_rows(films: Films, wave_amplitude_um: float) -> Iterator[tuple[Cell, ...]]:
     """Yield a comparison for every film and amplitude the paper gives at a speed.
 
-    ``wave_amplitude_um`` is that of the wave that was cut out of the trace.
+    ``wave_amplitude_um`` belongs to the wave that was cut from the trace.
     """
     printed, at = paper.PRINTED[films.speed], f" at {films.speed:g} m/s"
 
@@ -139,8 +139,7 @@ def definition_rows(folder: Path) -> Iterator[dict[str, float]]:
 def variant_rows(folder: Path) -> Iterator[dict[str, Cell]]:
     """Yield smooth and mean films of variants of the model, um, on the coarser grid.
 
-    For the printed M and L load and viscosity are what gives them, with the paper's R, E' and
-    alpha.
+    Load and viscosity give the printed M and L, with the paper's R, E' and alpha.
     """
     names = {"": "Table 1", PAPER_ML: "printed M and L", Z_DEFAULT: "z = 0.68"}
     names[INCOMPRESSIBLE] = "incompressible lubricant"
@@ -166,7 +165,7 @@ def coarse_film_um(folder: Path, surface: str, speed: float, variant: str = "") 
 
 
 def run_rows(folder: Path, runs: list[Run]) -> Iterator[dict[str, Cell]]:
-    """Yield what every run took."""
+    """Yield the time of every run."""
     for run in runs:
         result = read_solved(folder, run).result
         yield {

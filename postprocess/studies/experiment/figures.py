@@ -31,7 +31,7 @@ X_LIMITS_MM = (-0.3, 0.3)
 def trace_figure(x_um: Floats, height_um: Floats, fit: Sinusoid, wave_um: Floats) -> Figure:
     """Draw the trace with the fitted sinusoid (Figure 4), and the wave that was cut out of it.
 
-    ``wave_um`` holds the heights of one wave, equidistant, its end left out.
+    ``wave_um`` holds the heights of a wave, equidistant, its end left out.
     """
     with rc_context(STYLE):
         figure = Figure(figsize=(7.2, 4.6), layout="constrained")
@@ -55,10 +55,10 @@ def trace_figure(x_um: Floats, height_um: Floats, fit: Sinusoid, wave_um: Floats
 
 
 def line_figure(shown: Sequence[tuple[Solved, Solved]]) -> Figure:
-    """Draw films along the centre line, one panel for each speed (Figures 8 and 10).
+    """Draw films along the centre line, a panel for each speed (Figures 8 and 10).
 
-    Of each speed the contact with waves and the smooth one. The paper's measured films (Figures 6
-    and 9) exist in print only: its measured mean and amplitude are a line and a band.
+    The contact with waves and the smooth contact at each speed. The paper's measured films (Figures
+    6 and 9) exist in print only: its measured mean and amplitude are a line and a band.
     """
     with rc_context(STYLE):
         figure = Figure(figsize=(7.2, 3.5 * len(shown)), layout="constrained")

@@ -13,7 +13,7 @@ RED_UM, GREEN_UM = 0.63, 0.54
 """Wavelengths of the two filters; the paper names the colours only."""
 
 HIGHEST_H = 0.3
-"""Of the film in the surface plot, in units of c: the inlet is far above."""
+"""Highest film in the surface plot, in units of c: the inlet is far above."""
 
 
 def surfaces_figure(solved: Solved) -> Figure:

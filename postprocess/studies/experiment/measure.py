@@ -26,7 +26,7 @@ HARMONICS = 3
 
 @dataclass(frozen=True)
 class Solved:
-    """One run: fields of its last solution, history at the contact centre."""
+    """A run: fields of its last solution, history at the contact centre."""
 
     run: Run
     result: dict[str, Any]
@@ -54,7 +54,7 @@ class Solved:
 
 @dataclass(frozen=True)
 class Value:
-    """A value extrapolated to mesh size 0, and its distance from that of the finest grid."""
+    """A value extrapolated to mesh size 0, and its distance from the value on the finest grid."""
 
     value: float
     error: float
@@ -100,7 +100,7 @@ def extrapolated(
 ) -> Value:
     """Return a measure at mesh size 0, from the two grids, its error of second order (Richardson).
 
-    The order is that of the discretisation, observed as 1.8 to 2.0.
+    The order of the discretisation, observed as 1.8 to 2.0.
     """
     grids = sorted(GRIDS)
     values = [measure(read_solved(folder, Run(surface, speed, *grid))) for grid in grids]

@@ -6,7 +6,7 @@ from studies.experiment.cases import PRINTED_L, PRINTED_M
 
 
 class Printed(NamedTuple):
-    """Numbers at one speed; films and amplitudes in um, None where there is none."""
+    """Numbers at a speed; films and amplitudes in um, None where missing."""
 
     m: float
     l: float

@@ -90,7 +90,7 @@ def section(folder: Path) -> Section:
 
 
 def _wave(files: Path) -> Floats:
-    """Return one wave from the middle of the surface that was run, um, where nothing is faded."""
+    """Return a wave from the middle of the computed surface, um, where nothing is faded."""
     file = read_input(files / f"{TRACE}.nml")["surface"]["file"]
     heights = read_surface(file).height[:, 0] * 1e6
     count = heights.size // REPEATS

@@ -1,4 +1,4 @@
-"""The runs of the experiment as three sweeps, one for each kind of surface."""
+"""The runs of the experiment as three sweeps, one per kind of surface."""
 
 from pathlib import Path
 from typing import Any
@@ -15,7 +15,7 @@ REPEATS = 16
 
 
 def prepare_surface(trace: Path, folder: Path) -> Path:
-    """Write the file of one wave of a trace, from its middle, repeated; return its path."""
+    """Write the file of a wave of a trace, from its middle, repeated; return its path."""
     wave = cut_period(remove_form(read_surface(trace), "plane"), WAVELENGTH_UM * 1e-6)
     return sweeps.write_surface(folder, wave, REPEATS)
 

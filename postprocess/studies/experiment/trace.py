@@ -1,9 +1,9 @@
 """The surface of the experiment: a synthetic stylus trace, and the fit of a sinusoid to it.
 
-The paper prints its trace (Figure 4) and says of it: almost harmonic; a least-squares sinusoid has
-a wavelength of 60 um and an amplitude of 0.14 um, and fitted to parts of the trace amplitudes from
-0.13 to 0.16 um at a wavelength that hardly varies. Points of it cannot be had, so the trace here is
-made up to have these properties.
+The paper prints its trace (Figure 4) and describes it: almost harmonic; a least-squares sinusoid
+has a wavelength of 60 um and an amplitude of 0.14 um, and fitted to parts of the trace amplitudes
+from 0.13 to 0.16 um at a wavelength that hardly varies. Its points are not available, so the trace
+here is synthetic with these properties.
 """
 
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ class Sinusoid:
     phase: float
     level: float
     rms_left: float
-    """Root mean square of what it leaves, in the unit of the heights."""
+    """Root mean square of the residual, in the unit of the heights."""
 
 
 def synthetic_trace() -> tuple[Floats, Floats]:
@@ -40,9 +40,9 @@ def synthetic_trace() -> tuple[Floats, Floats]:
 
     A sinusoid of 60 um whose amplitude has a rise of 27 % about x = -125 um, 180 um wide; whose
     phase wanders by 0.05 rad; with a second harmonic of 5 % and a third of 2 % (troughs wider than
-    crests); with four waves of 9 to 41 um and 1 to 2 nm for what is left of the ground surface; on
-    the level of 9.5 um that the paper's figure has. The whole is scaled so that the fitted
-    amplitude is 0.14 um. Heights are rounded to 0.1 nm, as in inputs/full/sputtered_profile.csv.
+    crests); with four waves of 9 to 41 um and 1 to 2 nm for the rest of the ground surface; on the
+    level of 9.5 um in the paper's figure. The whole is scaled so that the fitted amplitude is 0.14
+    um. Heights are rounded to 0.1 nm, as in inputs/full/sputtered_profile.csv.
     """
     x = np.arange(-300.0, 301.0)
     amplitude = 1 + 0.27 * np.exp(-(((x + 125) / 90) ** 2))

@@ -1,1 +1,1 @@
-"""Laws of the package against the program: random contacts, and what laws take of them."""
+"""Laws of the package against the program: random contacts, and the input of the laws."""

@@ -15,7 +15,7 @@ from studies.sweeps import Row, run_command, write_rows
 
 FITTED = {"heavy-films": heavy_films, "sheared-waves": sheared_waves, "warm-waves": warm_waves}
 COUNTS = {"heavy-films": 490, "sheared-waves": 400, "warm-waves": 220, "isothermal": 240}
-"""Of contacts, by the parts of the study."""
+"""Numbers of contacts, by the parts of the study."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -35,7 +35,7 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _ours(rows: Sequence[Row]) -> list[Row]:
-    """Return rows of laws as they are; the others show what they replace."""
+    """Return rows of present laws; the others show their predecessors."""
     return [row for row in rows if row["law"] not in ("before", "ridges, rolling", "isothermal")]
 
 
@@ -57,7 +57,7 @@ def _part(part: str, count: int, folder: Path, write: bool) -> list[Row]:
 
 
 def _judged(rows: Sequence[Row], name: str) -> Row:
-    """Return the share of contacts within the error of the package, with the computed one's."""
+    """Return the share of contacts within the errors of the package and of the computation."""
     times = np.array([isothermal.times(row, name) for row in rows])
     times = times[np.isfinite(times)]
     return {

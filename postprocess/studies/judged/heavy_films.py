@@ -31,11 +31,11 @@ HEAVY_RANGE, ALL = (300.0, 20000.0), 300
 HEAVY, CELLS, MORE_CELLS = 12000.0, (512, 256), (1024, 384)
 """M from which on a grid has more cells along X and Y."""
 LARGEST_ERROR = 0.04
-"""Of a computed smallest film; others are left out."""
+"""Error of a computed smallest film; others are left out."""
 
 
 def drawn(number: int) -> dict[str, float]:
-    """Return keys of a contact that rolls, within the wide atlas and outside the usual one."""
+    """Return keys of a contact that rolls, within the wide atlas and outside the usual atlas."""
     random = np.random.default_rng([52, number])
     while True:
         ranges = RANGES | ({} if number < ALL else {"load_parameter_m": HEAVY_RANGE})
@@ -44,7 +44,7 @@ def drawn(number: int) -> dict[str, float]:
             film = ehlwave.Contact(**keys).film()
         except EhlwaveError:
             continue
-        if "6912" not in film.source:  # of the usual atlas
+        if "6912" not in film.source:  # ranges of the usual atlas
             return keys
 
 
@@ -91,7 +91,7 @@ def usable(rows: Sequence[Row]) -> pd.DataFrame:
 
 
 def fit(table: pd.DataFrame) -> tuple[dict[str, list[float]], list[Row]]:
-    """Return what the package reads, and rows before and after the correction, held out."""
+    """Return the data of the package, and rows before and after the correction, held out."""
     names = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
     a = terms(*(table[name].to_numpy() for name in names))
     y = np.log((table["minimum"] / table["minimum_law"]).to_numpy())
@@ -139,5 +139,5 @@ def _row(law: str, off: Floats, error: Floats) -> Row:
 
 
 def write(found: dict[str, list[float]], path: Path = PACKAGE) -> None:
-    """Write what the package reads."""
+    """Write the data of the package."""
     Writer(overwrite=True).text(path, json.dumps(found, indent=1) + "\n")

@@ -97,7 +97,7 @@ def study(number: int, folder: Path) -> Row:
 
 
 def times(row: Row, name: str, own: float = 1.0) -> float:
-    """Return how far the package is off over its error, with a share `own` of the computed one."""
+    """Return the deviation of the package over its error plus a share `own` of the computed one."""
     law, more = row.get(f"{name}_law_error"), row.get(f"{name}_own")
     if law is None or more is None:
         return math.nan

@@ -13,7 +13,7 @@ from studies.programs import Groups, namelist, run
 from studies.sweeps import Row
 
 SECONDS = 120.0
-"""Of one case, at most."""
+"""Time of a case, at most."""
 
 
 def solved(groups: Groups, folder: Path) -> Row | None:
@@ -71,7 +71,7 @@ def log_uniform(random: Any, low: float, high: float) -> float:  # noqa: ANN401 
 
 
 def groups_of(keys: Mapping[str, float], **more: Mapping[str, object]) -> Groups:
-    """Return the input groups of a contact by its keys, one thread, with others."""
+    """Return the input groups of a contact by its keys, one thread, with further groups."""
     names = conditions_keys(keys)
     law = {"carreau_exponent": "carreau", "eyring_stress_pa": "eyring"}
     flow = next(({"flow_law": law[name]} for name in law if name in keys), {})
@@ -85,7 +85,7 @@ def groups_of(keys: Mapping[str, float], **more: Mapping[str, object]) -> Groups
 
 
 def conditions_keys(keys: Mapping[str, float]) -> list[str]:
-    """Return those of the group ``&conditions``."""
+    """Return the keys of the group ``&conditions``."""
     oil = ("pressure_viscosity_per_pa", "roelands_index", "temperature_k")
     oil = (*oil, "eyring_stress_pa", "carreau_modulus_pa", "carreau_exponent")
     return [name for name in keys if name not in oil]

@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 WAVES = (0.4, 2.0)
 LINE_SHARE, ROLLING_SHARE, TRANSVERSE_SHARE = 0.25, 0.2, 0.5
 MOST_RATIO = 1.0
-"""Largest slide-to-roll ratio, that of the atlas."""
+"""Largest slide-to-roll ratio, as in the atlas."""
 POINT_SIZES, FEWEST_POINTS, LINE_CELLS = (64, 96, 128), 14, 512
 LENGTH = 4.0
 AMPLITUDE = 0.01
@@ -116,17 +116,19 @@ def computed(path: Path, count: int, at_once: int) -> list[Row]:
 
 PACKAGE = Path(__file__).resolve().parents[2] / "src/ehlwave/laws/warm_waves.json"
 LEAST_BY_WARMTH = 0.065
-"""Of e2: a ball of 12.5 mm under 60 N at 4 m/s, S = 1.5, tau0 = 5 MPa, 0.7 a, is off by 0.21."""
+"""Least weight of e2: a ball of 12.5 mm under 60 N at 4 m/s, S = 1.5, tau0 = 5 MPa, 0.7 a, is off
+by 0.21.
+"""
 MOST_ERROR = 0.12
-"""Of a computed response; others are left out."""
+"""Error of a computed response; others are left out."""
 WITHIN, FAR, MOST_FAR = 0.96, 1.5, 0.01
 
 
 def compared(rows: Sequence[Row]) -> list[Row]:
     """Return the waves that grids resolve, with both isothermal responses of the package.
 
-    The computed response is the extrapolated one with frozen temperatures, and by how much the
-    march, on one grid, differs from the frozen response.
+    The computed response is extrapolated with frozen temperatures, plus the difference of the march
+    from the frozen response on the same grid.
     """
     found = []
     for row in rows:
@@ -206,5 +208,5 @@ def _row(law: str, off: Floats, error: Floats) -> Row:
 
 
 def write(found: dict[str, list[float]], path: Path = PACKAGE) -> None:
-    """Write what the package reads."""
+    """Write the data of the package."""
     Writer(overwrite=True).text(path, json.dumps(found, indent=1) + "\n")

@@ -1,4 +1,4 @@
-"""``python -m studies.paper STUDY``: the report on a full study, what its last stage runs."""
+"""``python -m studies.paper STUDY``: the report on a full study, run by its last stage."""
 
 import argparse
 import sys

@@ -1,4 +1,4 @@
-"""Is there a better formula? Candidates fitted, held out, compared; the recommended one."""
+"""Is there a better formula? Candidates fitted, held out, compared; the recommended formula."""
 
 from pathlib import Path
 
@@ -28,7 +28,7 @@ from studies.paper.fit_points import Floats, Points, points_of
 from studies.section import Picture, Section, Table
 
 LARGEST_SHARE = 0.5
-"""Of the rms of (18): what a better formula may have at conditions it was not fitted to."""
+"""Share of the rms of (18): limit of a better formula at conditions outside its fit."""
 
 
 def section(folder: Path) -> Section:
@@ -87,7 +87,7 @@ def section(folder: Path) -> Section:
 
 
 def is_better(score: Score, paper: Score) -> bool:
-    """Return whether the held-out rms is at most half of that of (18) as printed."""
+    """Return whether the held-out rms is at most half of the rms of (18) as printed."""
     return rms(score.cv) <= LARGEST_SHARE * rms(paper.cv)
 
 
@@ -156,7 +156,7 @@ def _text(points: Points, by_name: dict[str, Score]) -> list[str]:
 
 
 def _fresh_text(checks: list[Table]) -> list[str]:
-    """Return what the fresh conditions say, if they were computed."""
+    """Return the results on the fresh conditions, if computed."""
     return [
         f"Fresh conditions, computed after the formula was chosen and in no fit: rms "
         f"{errors[ROUNDED.name]:.3f} with rounded coefficients, {errors[PAPER.name]:.3f} for (18), "

@@ -95,7 +95,7 @@ def small_v_table(points: Points) -> Table:
 
 
 def free_factors(points: Points, lubricant: float) -> tuple[Floats, Floats]:
-    """Return f at each of ``DIRECTIONS`` at one L, f(0) = 1, and 95 % bootstrap intervals.
+    """Return f at each of ``DIRECTIONS`` at a given L, f(0) = 1, and 95 % bootstrap intervals.
 
     From x = C f (lambda/a) (gamma M)^(1/2) in (1 + x^n)^(-1/n); C, n and the f are free.
     Shapes (9,) and (2, 9).
@@ -163,7 +163,7 @@ def worst_table(points: Points, residual: Floats, count: int = 10) -> Table:
 def limits_table(points: Points) -> Table:
     """Return local slopes of Ad/Ai between neighbouring wavelengths, by L and direction.
 
-    At long waves (both Ad/Ai below 0.3) d ln(Ad/Ai)/d ln V; at short ones (1 - Ad/Ai between 0.02
+    At long waves (both Ad/Ai below 0.3) d ln(Ad/Ai)/d ln V; at short waves (1 - Ad/Ai between 0.02
     and 0.3) d ln(1 - Ad/Ai)/d ln V.
     """
     low, high = _neighbours(points)
@@ -229,7 +229,7 @@ def _error_rows(found: dict[str, Floats]) -> pd.DataFrame:
 
 
 def _neighbours(points: Points) -> tuple[Points, Points]:
-    """Return pairs of points of one condition and direction with neighbouring wavelengths."""
+    """Return pairs of points of the same condition and direction with neighbouring wavelengths."""
     order = np.lexsort((points.shorter, points.direction, points.condition))
     first, second = points[order[:-1]], points[order[1:]]
     same = (first.condition == second.condition) & (first.direction == second.direction)

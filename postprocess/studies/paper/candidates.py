@@ -1,4 +1,4 @@
-"""Formulas for Ad/Ai that are set against each other: from eq. (18) to more general ones."""
+"""Formulas for Ad/Ai to compare: from eq. (18) to more general formulas."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ Parameters = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Candidate:
-    """A formula: ``curve(parameters, points)`` is Ad/Ai; ``start`` holds one number a parameter."""
+    """A formula: ``curve(parameters, points)`` is Ad/Ai; ``start`` holds a number per parameter."""
 
     name: str
     text: str

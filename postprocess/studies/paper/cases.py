@@ -28,7 +28,7 @@ FRESH_L = (3.5, 8.0, 16.0)
 FRESH_RATIOS = (0.6, 0.2, 0.07)
 FRESH_DIRECTIONS = (0.0, 0.3, 1.0, 3.0, math.inf)
 
-# In units of a: a shorter wave needs more than 512 cells, one longer than twice the contact
+# In units of a: a shorter wave needs more than 512 cells; a wave longer than twice the contact
 # measures the contact more than the wave.
 SHORTEST, LONGEST = 0.12, 4.0
 
@@ -69,10 +69,10 @@ def fresh_cases() -> Iterator[tuple[float, float, float, str, float, float, floa
 def waves_at(
     m: float, l: float, d: float, directions: Sequence[float]
 ) -> Iterator[tuple[float, float, float, str, float, float, float]]:
-    """Yield the waves at one condition: those with the values ``F_V`` of f(r) V, eqs. (15), (17).
+    """Yield the waves at a condition: the values ``F_V`` of f(r) V, eqs. (15), (17).
 
     Left out are waves whose shorter wavelength is not between ``SHORTEST`` and ``LONGEST``. A
-    wavelength of 0 is an infinite one.
+    wavelength of 0 is infinite.
     """
     v_per_a = math.sqrt(contact_gamma(d) * m / l)
     for r in directions:
@@ -85,8 +85,8 @@ def waves_at(
 def line_cases() -> Iterator[tuple[float, float, float, str, float, float, float]]:
     """Yield transverse waves in ever more slender contacts and in the line contact (D = 0).
 
-    All contacts of one ``GAMMA_M`` have the same alpha ph, eq. (3): for a line contact that is
-    L (M/(2 pi))^(1/2), so its M is 2 pi (alpha ph/L)^2.
+    All contacts of one ``GAMMA_M`` have the same alpha ph, eq. (3): for a line contact it is L
+    (M/(2 pi))^(1/2), so its M is 2 pi (alpha ph/L)^2.
     """
     for gamma_m in GAMMA_M:
         conditions = [(gamma_m / contact_gamma(d), d) for d in SLENDER_RATIOS]
@@ -120,7 +120,7 @@ def write_cases(name: str, path: Path) -> int:
 
 
 def _waves(r: float, wave: float) -> tuple[str, float, float, float]:
-    """Return orientation, lambda, lambda_x and lambda_y; ``wave`` is the shorter one."""
+    """Return orientation, lambda, lambda_x and lambda_y; ``wave`` is the shorter wavelength."""
     names = {0.0: "transverse", 1.0: "isotropic", math.inf: "longitudinal"}
     if r in names:
         return names[r], wave, 0.0, 0.0

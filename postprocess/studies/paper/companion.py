@@ -1,4 +1,4 @@
-"""The one point for which the literature prints a computed Ad/Ai of an elliptical contact."""
+"""The only point for which the literature prints a computed Ad/Ai of an elliptical contact."""
 
 from pathlib import Path
 

@@ -90,9 +90,9 @@ def rms_standard_error(residual: Floats, group: NDArray[Any]) -> float:
 
 @dataclass(frozen=True)
 class Score:
-    """A candidate, what it fitted, and its errors (root mean squares of Ad/Ai, dimensionless).
+    """A candidate, its fit, and its errors (root mean squares of Ad/Ai, dimensionless).
 
-    ``cv`` holds the residuals of grouped cross-validation, shape (n,), ``hard`` those of
+    ``cv`` holds the residuals of grouped cross-validation, shape (n,), ``hard`` the residuals of
     :func:`hard_splits`, NaN where a split has no test.
     """
 
@@ -108,7 +108,7 @@ class Score:
 
 
 def scored(candidate: Candidate, points: Points) -> Score:
-    """Return fit, cross-validation and hard splits of one candidate."""
+    """Return fit, cross-validation and hard splits of a candidate."""
     residual = residuals(candidate, fitted(candidate, points), points)
     cv = held_out(candidate, points, grouped_folds(points.condition))
     hard = {name: held_out(candidate, points, folds) for name, folds in hard_splits(points).items()}
@@ -126,9 +126,9 @@ def one_standard_error_choice(
         Only those with parameters take part.
     residuals : sequence of ndarray, shape (n,)
         Held-out residuals of each score; the choice is by their rms, among equally many parameters
-        by the smaller one.
+        by the smaller rms.
     group : ndarray, shape (n,)
-        What was held out together, for the standard error.
+        Groups that were held out together, for the standard error.
     """
     fittable = [(score, r) for score, r in zip(scores, residuals, strict=True) if score.count]
     best = min((r for _, r in fittable), key=rms)

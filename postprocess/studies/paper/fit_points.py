@@ -20,8 +20,8 @@ def points_of(selected: xr.Dataset) -> Points:
     ``wave`` is lambda_n/a and ``along`` cos^2(theta), see
     :func:`ehlwave.contact.formula.wave_and_direction`; ``shorter`` min(lambda_x, lambda_y)/a, the
     wavelength of eq. (15); ``load`` gamma M; ``direction`` the number of the nearest of
-    ``DIRECTIONS``; ``condition`` that of (M, L, D); ``error`` the error bar of ``ratio`` = Ad/Ai, 0
-    where not known.
+    ``DIRECTIONS``; ``condition`` the number of (M, L, D); ``error`` the error bar of ``ratio`` =
+    Ad/Ai,0 where unknown.
     """
     wave_x = selected["wavelength_x_over_a"].values
     wave_y = selected["wavelength_y_over_a"].values

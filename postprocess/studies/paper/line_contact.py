@@ -16,10 +16,10 @@ from studies.section import Picture, Section, Table, comparison, comparison_row
 from studies.stages import read_stage
 
 ELLIPTIC_FACTOR = math.sqrt(2 * math.pi**3 / 3)
-"""Of V = factor (lambda/a) (alpha ph)^(3/2) L^(-2), eq. (17), for elliptical contacts."""
+"""Factor of V = factor (lambda/a) (alpha ph)^(3/2) L^(-2), eq. (17), for elliptical contacts."""
 
 LINE_FACTOR = (2 * math.pi) ** 0.75
-"""The same, strictly for a line contact."""
+"""Factor of a line contact, exactly."""
 
 
 def section(folder: Path) -> Section:
@@ -75,7 +75,7 @@ def limit_table(points: pd.DataFrame) -> Table:
 
 
 def published_table(points: pd.DataFrame) -> Table:
-    """Return this code's line contact beside the published one."""
+    """Return this code's line contact beside the published result."""
     by_wave = points.set_index("wavelength_over_a")
     rows = []
     for wave, ratio in small_line_ratios().items():

@@ -17,7 +17,7 @@ from studies.stages import by_point, read_stage
 
 
 def section(folder: Path) -> Section:
-    """Return Figures 1 and 2 of the paper twice, and what the paper's grid made of each point."""
+    """Return Figures 1 and 2 of the paper twice, with the errors of points on the paper's grid."""
     coarse = select_points(read_stage(folder, "paper_grid"), include_unresolved=True)
     fine = select_points(read_stage(folder, "resolved"))
     both = side_by_side(coarse, fine)
@@ -49,7 +49,7 @@ def section(folder: Path) -> Section:
 
 
 def side_by_side(coarse: xr.Dataset, fine: xr.Dataset) -> pd.DataFrame:
-    """Return the points of the paper's grid with what was computed again.
+    """Return the points of the paper's grid with the recomputed values.
 
     Added are ``resolved_ratio`` and ``resolved_error``, NaN where there is no resolved point;
     ``grid_error``, Ad/Ai on the paper's grid less that; and ``per_wave``, the smaller number of

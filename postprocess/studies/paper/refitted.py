@@ -40,11 +40,11 @@ HEADINGS = {
     "rms_paper": "rms of (18)",
     "rms_refit": "rms refitted",
 }
-"""Of the table of all refits, by what they are called in :func:`study_refits`."""
+"""Columns of the table of all refits, by their names in :func:`study_refits`."""
 
 
 def section(folder: Path, settings: RefitSettings | None = None) -> Section:
-    """Return c1 and c2 with bootstrap intervals by condition, and what they are sensitive to."""
+    """Return c1 and c2 with bootstrap intervals by condition, and their sensitivities."""
     refits = study_refits(folder, settings or RefitSettings(replicates=500))
     return Section(
         "The paper's formula, refitted",
@@ -64,9 +64,9 @@ def section(folder: Path, settings: RefitSettings | None = None) -> Section:
 def study_refits(folder: Path, settings: RefitSettings) -> pd.DataFrame:
     """Fit every set of points of the study on f(r) V.
 
-    One row for each set and group of points in it: ``varied`` is what varies from set to set,
-    ``name`` is the name of the set; the others are from :class:`ehlwave.results.refit.RefitRow`,
-    with the ends of the bootstrap intervals.
+    A row for each set and group of points in it: ``varied`` is the quantity that varies between
+    sets, ``name`` is the name of the set; the others are from
+    :class:`ehlwave.results.refit.RefitRow`, with the ends of the bootstrap intervals.
     """
     resolved = select_points(read_stage(folder, "resolved"))
     coarse = select_points(read_stage(folder, "paper_grid"), include_unresolved=True)
@@ -115,7 +115,7 @@ def coefficient_table(refits: pd.DataFrame) -> Table:
 
 
 def coefficient_figure(refits: pd.DataFrame) -> Figure:
-    """Draw c1 and c2 with their intervals, one line per set of points."""
+    """Draw c1 and c2 with their intervals, a line per set of points."""
     is_all = refits["group"] == "all"
     shown = refits[is_all | (refits["name"] == MAIN)]
     figure = Figure(figsize=(9.0, 0.28 * len(shown) + 1.2), layout="constrained")

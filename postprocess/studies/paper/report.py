@@ -1,4 +1,4 @@
-"""The report on a full study: one HTML page, tables as CSV, figures as PDF and PNG."""
+"""The report on a full study: an HTML page, tables as CSV, figures as PDF and PNG."""
 
 import os
 from collections.abc import Callable, Sequence
@@ -43,13 +43,13 @@ def write_report(
     Parameters
     ----------
     folder : Path
-        What ``scripts/reproduce --full`` wrote.
+        Folder written by ``scripts/reproduce --full``.
     output : Path
         Is made if it does not exist: ``report.html``, ``tables/*.csv``, ``figures/*.pdf, *.png``.
     note : callable
-        Is told what is being done.
+        Receives progress messages.
     parts : sequence of (name, function)
-        What makes the sections, in their order.
+        Functions of the sections, in order.
 
     Raises
     ------
@@ -62,7 +62,7 @@ def write_report(
 
 
 def summary(sections: Sequence[Section]) -> Section:
-    """Return the first section: every number of the paper in one table, and where it is from."""
+    """Return the first section: every number of the paper in a table, with its source."""
     found = [
         table.data.assign(part=section.title)
         for section in sections

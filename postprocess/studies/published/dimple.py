@@ -50,7 +50,7 @@ class Line:
     film: Floats
 
     def deviations(self, instant: int) -> tuple[Floats, Floats]:
-        """Return the published places, um, and the film over the published one, less 1."""
+        """Return the published places, um, and the film over the published film, less 1."""
         x, published = (np.array(one) for one in centre_line("simulated", instant, "film"))
         return x, CubicSpline(self.x_um, self.film)(x) / published - 1
 

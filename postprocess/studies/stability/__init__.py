@@ -1,1 +1,1 @@
-"""The stability map: many contacts, mild to extreme, and what became of each."""
+"""The stability map: many contacts, mild to extreme, and the outcome of each."""

@@ -1,4 +1,4 @@
-"""The commands behind ``scripts/study stability``: write the sweep, judge what became of it."""
+"""The commands behind ``scripts/study stability``: write the sweep, judge its outcome."""
 
 import argparse
 import sys

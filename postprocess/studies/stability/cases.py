@@ -37,7 +37,7 @@ OUTSIDE = "outside"
 """The family of cases that must be refused."""
 
 _POINTS_PER_WAVE = 8
-_LENGTH = 4.0  # of the default domain along X
+_LENGTH = 4.0  # length of the default domain along X
 _MOTION = {"load_balance": "equation_of_motion", "natural_frequency": 5.0}
 _Condition = tuple[float, float, int, int]
 _Keys = Mapping[str, float | int | str]
@@ -45,7 +45,7 @@ _Keys = Mapping[str, float | int | str]
 
 @dataclass(frozen=True)
 class Case:
-    """One case: the family it belongs to, what it varies, and its input keys by group."""
+    """A case: its family, its variation, and its input keys by group."""
 
     family: str
     variant: str
@@ -78,7 +78,7 @@ def quick_cases() -> list[Case]:
 
 
 def full_cases() -> list[Case]:
-    """Return all cases but those of the corner."""
+    """Return all cases except the corner."""
     return [*steady_cases(), *wavy_cases()]
 
 
@@ -93,7 +93,7 @@ def steady_cases() -> list[Case]:
 
 
 def wavy_cases() -> list[Case]:
-    """Return marches, patterns that stand still, and cases that are too coarse or out of range."""
+    """Return marches, stationary patterns, and cases that are too coarse or out of range."""
     return [
         *_waves(_CONDITIONS, (0.25, 0.5, 1.0, 2.0, 4.0), (0.2, 0.9)),
         *_waves(_CONDITIONS, (1.0,), (0.01, 0.5)),
@@ -256,7 +256,7 @@ def _dynamic(conditions: Sequence[_Condition]) -> Iterator[Case]:
 
 
 def _coarse(cells: int = 32) -> Iterator[Case]:
-    """Yield cases on a grid far too coarse for them: they must say so."""
+    """Yield cases on a grid far too coarse for them: they must report it."""
     for m, l in product((300.0, 2000.0, 10000.0), (0.0, 12.05, 30.0)):
         yield _case("coarse", f"{cells} cells", m, l, 1.0, grid=_grid(cells))
     for m, l in ((100.0, 12.05), (2000.0, 12.05), (2000.0, 30.0)):

@@ -24,10 +24,11 @@ _SIZE = 290
 
 
 def steady_map(rows: Sequence[Row]) -> Figure:
-    """Draw the smooth steady states over M and L, one panel for each D.
+    """Draw the smooth steady states over M and L, a panel for each D.
 
-    The number in a mark is that of Newton steps on the finest grid; a black rim says that a rung
-    of the ladder above the direct solve was needed. Cases on a wide domain are left to the table.
+    The number in a mark is the number of Newton steps on the finest grid; a black rim means that a
+    rung of the ladder above the direct solve was needed. Cases on a wide domain are left to the
+    table.
     """
     steady = [row for row in rows if row.case.family == "steady" and row.case.variant == "smooth"]
     ratios = sorted({row.case.value("radius_ratio_d") for row in steady})
@@ -56,7 +57,7 @@ def steady_map(rows: Sequence[Row]) -> Figure:
 
 
 def parameter_map(rows: Sequence[Row]) -> Figure:
-    """Draw the other families, one panel each: conditions across, variants downwards.
+    """Draw the other families, a panel each: conditions across, variants downwards.
 
     Numbers and rims as in :func:`steady_map`; of a march the Newton steps of each time step.
     """

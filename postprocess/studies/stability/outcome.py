@@ -16,7 +16,9 @@ UNSOLVED = "unresolved, not converged"
 REFUSED = "refused"
 FAILED = "failed"
 OUTCOMES = (CONVERGED, UNRESOLVED, UNSOLVED, REFUSED, FAILED)
-"""Of a case. Only the last is a fault; an unresolved case that does not converge says so."""
+"""Outcomes of a case. Only the last is a fault; an unresolved case that does not converge reports
+it.
+"""
 
 _FILMS = ("central_film", "minimum_film", "central_film_moes", "max_pressure")
 _RATIOS = ("amplitude_ratio", "amplitude_ratio_fit", "mean_film", "harmonic_ratio")
@@ -30,7 +32,7 @@ _LARGEST_DIFFERENCE = 1e-4
 
 @dataclass
 class Row:
-    """A case with its outcome; `faults` lists what makes a result dishonest or wrong."""
+    """A case with its outcome; `faults` lists false claims and wrong results."""
 
     case: Case
     outcome: str
@@ -41,7 +43,7 @@ class Row:
 
     @property
     def is_bad(self) -> bool:
-        """Whether the case failed, or its result claims what it should not."""
+        """Whether the case failed, or its result makes a false claim."""
         return self.outcome == FAILED or bool(self.faults)
 
 
@@ -58,7 +60,7 @@ def judge(case: Case, result: dict[str, Any]) -> Row:
 def compare(rows: Sequence[Row]) -> None:
     """Add a fault to cases of a sliding oil that differ from another solution of the same problem.
 
-    That is the case solved again and, for the smooth film, the one with 2 - S in place of S.
+    The same case solved again and, for the smooth film, the case with 2 - S in place of S.
     """
     sliding = [row for row in rows if row.case.family.startswith(SLIDING)]
     first: dict[tuple[object, ...], Row] = {}
@@ -78,7 +80,7 @@ def compare(rows: Sequence[Row]) -> None:
 
 
 def judge_refusal(case: Case, outcome: Outcome) -> Row:
-    """Return the row of a case that must be refused, with a message, from what became of it."""
+    """Return the row of a case that must be refused, with a message, from its outcome."""
     said = outcome.stderr.strip()
     if outcome.returncode != 2:
         return Row(case, FAILED, message=f"taken, with exit status {outcome.returncode}: {said}")
@@ -93,7 +95,7 @@ def _outcome(result: dict[str, Any]) -> str:
 
 
 def _faults(result: dict[str, Any]) -> list[str]:
-    """Return what a result claims without right."""
+    """Return the false claims of a result."""
     status = result["status"]
     faults = []
     if (status == "converged") != result["is_resolved"] and status in SETTLED:
@@ -112,7 +114,7 @@ def _faults(result: dict[str, Any]) -> list[str]:
 
 
 def _wrong_numbers(result: dict[str, Any]) -> list[str]:
-    """Return what cannot be true of a converged result."""
+    """Return the impossible values of a converged result."""
     allowed = dict.fromkeys(_FILMS, (0, math.inf))
     allowed |= dict.fromkeys(("residual", "load_error"), (-math.inf, _LARGEST_RESIDUAL))
     if result.get("response") == "harmonic":
@@ -129,7 +131,7 @@ def _wrong_numbers(result: dict[str, Any]) -> list[str]:
         starved = result.get("film_over_flooded", math.nan)
         flooded = result["central_film_moes"] / (starved if math.isfinite(starved) else 1)
         ratio = flooded / expected
-        # No formula knows by how much a sliding Ree-Eyring oil thins.
+        # No formula gives the thinning of a sliding Ree-Eyring oil.
         thinnest = 0 if result.get("eyring_stress_pa", 0) > 0 else 1 / _WIDEST_FACTOR
         if not thinnest < ratio < _WIDEST_FACTOR:
             faults.append(f"film thickness is {ratio:.3g} of the formula's")

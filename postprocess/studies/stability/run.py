@@ -1,4 +1,4 @@
-"""The cases as a sweep, and those that must be refused, which no sweep takes, one by one."""
+"""The cases as a sweep, and cases that must be refused, which no sweep accepts, individually."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -8,7 +8,7 @@ from studies.stability.cases import OUTSIDE, Case
 from studies.stability.outcome import Row, compare, judge, judge_refusal
 
 NAME = "cases"
-"""Of the sweep's files."""
+"""Name of the sweep's files."""
 
 
 def write_cases(folder: Path, cases: Sequence[Case], limit_seconds: float) -> Path:
@@ -22,7 +22,7 @@ def write_cases(folder: Path, cases: Sequence[Case], limit_seconds: float) -> Pa
 
 
 def read_rows(folder: Path, cases: Sequence[Case]) -> list[Row]:
-    """Return what became of the cases: of the sweep's from its results, the others are run now."""
+    """Return the outcomes: cases of the sweep from its results, the others by new runs."""
     swept = [case for case in cases if case.family != OUTSIDE]
     found = sweeps.read_sweep(folder, NAME, len(swept)) if swept else []
     rows = [judge(case, result) for case, result in zip(swept, found, strict=True)]

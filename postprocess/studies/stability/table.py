@@ -1,4 +1,4 @@
-"""The table of the stability map, and what it says in a few lines."""
+"""The table of the stability map, and its summary."""
 
 from collections import Counter
 from collections.abc import Sequence
@@ -45,14 +45,14 @@ _RESULTS = (
     "harmonic_ratio",
 )
 _STARVED = ("film_over_flooded", "meniscus_x", "starved_over_flooded_work")
-"""Of contacts with too little oil besides."""
+"""Columns of starved contacts."""
 
 
 def write_table(path: Path, rows: Sequence[Row]) -> None:
-    """Write one line per case: its inputs, its outcome, its effort and what is wrong with it.
+    """Write a line per case: inputs, outcome, effort and faults.
 
-    Inputs that are as usual are left empty, and so are messages of cases that converged; of others
-    what stands before the advice.
+    Default inputs are left empty, and so are messages of converged cases; other messages are cut
+    before the advice.
     """
     lines = (
         {
@@ -97,7 +97,7 @@ def summary(rows: Sequence[Row]) -> str:
 
 
 def bad_line(row: Row) -> str:
-    """Return what the case was and what is wrong with it."""
+    """Return the case and its faults."""
     case = row.case
     keys = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
     m, l, d = (case.value(key) for key in keys)

@@ -1,8 +1,7 @@
 """The cases of the study of two waves: space-filling over conditions, slip, oil and waves.
 
 Every operating condition (M, L, D, alpha) is computed in pure rolling with a Newtonian oil and
-under slip with an oil of its own, with the same waves: what slip changes can be read off pair by
-pair.
+under slip with an oil of its own, with the same waves: pairs show the effect of slip.
 """
 
 import math
@@ -19,7 +18,7 @@ from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from studies.sweeps import Row, write_rows
 
 REDUCED_MODULUS_PA = 226e9
-"""The same in all cases: films depend on its product with the Eyring stress alone."""
+"""Modulus of all cases: films depend on its product with the Eyring stress alone."""
 
 LOADS = (20.0, 1000.0)
 LUBRICANTS = (2.5, 20.0)
@@ -27,10 +26,10 @@ RATIOS = (0.1, 1.0)
 ALPHAS_PER_PA = (1.2e-8, 3e-8)
 STRESSES_PA = (1e6, 3e7)
 SLIPS = (0.03, 0.8)
-"""Of |S - 1|."""
+"""Range of |S - 1|."""
 
 NEWTONIAN_SHARE = 0.2
-"""Of the conditions under slip."""
+"""Share of the conditions under slip."""
 
 HERTZ_PA = (0.3e9, 2.5e9)
 """Conditions with other Hertz pressures are left out: no bearing has them."""
@@ -38,16 +37,16 @@ HERTZ_PA = (0.3e9, 2.5e9)
 WAVES = 10
 TRANSVERSE_SHARE = 0.4
 PARAMETERS = (0.2, 5.0)
-"""Of the wave parameter (lambda_n/a) (gamma M)^(1/2) L^(-cos^2(theta)/3) times 0.263."""
+"""Range of the wave parameter (lambda_n/a) (gamma M)^(1/2) L^(-cos^2(theta)/3) times 0.263."""
 
 SHORTEST, LONGEST = 0.15, 3.0
-"""Of lambda_n/a."""
+"""Range of lambda_n/a."""
 
 LARGEST_ANGLE = math.radians(80)
 """Between wave vector and X; longitudinal ridges do not move."""
 
 CASE_FILES = {"two_waves": (20000, 160), "two_waves_fresh": (11, 30)}
-"""Seed and number of conditions of each; the fresh ones share none with the others."""
+"""Seed and number of conditions of each; the fresh conditions share none with the others."""
 
 
 def cases(seed: int, count: int) -> Iterator[Row]:
@@ -67,7 +66,7 @@ def cases(seed: int, count: int) -> Iterator[Row]:
 
 
 def _condition(unit: NDArray[np.float64]) -> tuple[Row, Row, Row] | None:
-    """Return M, L, D and alpha; what rolls and what slides; nothing where no bearing is."""
+    """Return M, L, D and alpha; rolling and sliding keys; nothing outside bearings."""
     bounds = (LOADS, LUBRICANTS, RATIOS, ALPHAS_PER_PA, STRESSES_PA)
     m, l, d, alpha, stress = (
         _between(pair, share) for pair, share in zip(bounds, unit, strict=False)

@@ -1,4 +1,4 @@
-"""Both waves of one contact from computed responses, between which they are interpolated."""
+"""Both waves of a contact from computed responses, between which they are interpolated."""
 
 from dataclasses import dataclass
 
@@ -18,14 +18,14 @@ Complex = NDArray[np.complex128]
 class ComputedWaves:
     """Both waves at Y = 0 of patterns cos(ky Y) exp(i kx X), from a table over kx and ky.
 
-    Stands for a :class:`ehlwave.surface.TwoWaveTransfer`. Interpolated are a, psi - kx, and
-    c exp(-i (psi - kx)), which turns slowly; a and psi are the closed forms at the computed contact
-    centre, c what a leaves of the film there. Longer waves than the longest are taken as that one,
-    the mean as nothing; shorter ones than the shortest are left as they are.
+    Replaces a :class:`ehlwave.surface.TwoWaveTransfer`. Interpolated are a, psi - kx, and c exp(-i
+    (psi - kx)), which turns slowly; a and psi are the closed forms at the computed contact centre,
+    c the film there less a. Longer waves than the longest take its response, the mean 0; shorter
+    waves than the shortest stay unchanged.
     """
 
     conditions: Conditions
-    """Of the contact, with its computed film."""
+    """Conditions of the contact, with its computed film."""
     table: pd.DataFrame
     """Linear responses at all combinations of wavelengths along X and Y; 0 is infinite."""
     name: str = "computed waves"
@@ -51,7 +51,7 @@ class ComputedWaves:
         return TwoWaves(own, entering * np.exp(1j * between), kx, kx + between)
 
     def ratio(self, per_length_x: Floats, per_length_y: Floats) -> Complex:
-        """Return the response to ridges along rolling, which stand still; of the mean 0."""
+        """Return the response to ridges along rolling, which are stationary; 0 for the mean."""
         still = self.table[self.table["wavelength_x_over_a"] == 0]
         film = _complex(still, "harmonic")
         ky = _numbers(still["wavelength_y_over_a"])

@@ -70,7 +70,7 @@ def amplitude_figure(pairs: Pairs) -> Figure:
 
 
 def eyring_figure(number: Floats, found: Complex, closed: Complex, rigid: Complex) -> Figure:
-    """Draw |a| against the one number of an incompressible oil, and what compressibility adds."""
+    """Draw |a| against the number of an incompressible oil, and for compressible oils."""
     figure = Figure(figsize=(7.2, 3.0), layout="constrained")
     left, right = figure.subplots(1, 2)
     grid = np.geomspace(1e-2, 1e2, 200)
@@ -98,7 +98,7 @@ def eyring_figure(number: Floats, found: Complex, closed: Complex, rigid: Comple
 
 
 def along_figure(folder: Path) -> Figure:
-    """Draw the film along the contact at one instant with its two waves, for each oil."""
+    """Draw the film along the contact at an instant with its two waves, for each oil."""
     rows = read_sweep(folder, ALONG)
     figure = Figure(figsize=(7.2, 2.9), layout="constrained")
     axes = figure.subplots(1, 2, sharey=True)

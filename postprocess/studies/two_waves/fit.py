@@ -1,4 +1,4 @@
-"""Fits of the rolling transfer and of what the inlet launches, and their errors where held out."""
+"""Fits of the rolling transfer and of the wave launched by the inlet, and their held-out errors."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,12 +16,12 @@ Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
 SCATTER = 0.02
-"""Of the formulas, about: a point weighs s/sqrt(s^2 + e^2), e its error bar."""
+"""Scatter of the formulas, about: a point weighs s/sqrt(s^2 + e^2), e its error bar."""
 
 
 @dataclass(frozen=True)
 class Law:
-    """Coefficients: of the rolling transfer, and of what the inlet launches."""
+    """Coefficients: rolling transfer, and wave launched by the inlet."""
 
     amplitude: Floats
     phase: Floats
@@ -68,7 +68,7 @@ def fitted_rolling(points: Rolling) -> tuple[Floats, Floats]:
 
 
 def fitted_launch(pairs: Pairs, rolling: Complex | None = None) -> Floats:
-    """Return the coefficients of what is launched, with the computed transfers in pure rolling."""
+    """Return the coefficients of the launched wave, with computed transfers in pure rolling."""
     transfer = pairs.rolling if rolling is None else rolling
     weight = _weight(pairs.error)
 

@@ -37,12 +37,12 @@ from studies.two_waves.shapes import (
 Floats = NDArray[np.float64]
 
 WINDOW = 0.5
-"""Of |X|, within which profiles are compared."""
+"""Range of |X| in which profiles are compared."""
 
 
 @dataclass(frozen=True)
 class Passing:
-    """A shape in the contact at one time: film less the smooth one over its height, against X.
+    """A shape in the contact at a time: film less smooth film, over its height, against X.
 
     All along Y = 0. ``surface`` is the undeformed surface over its height.
     """

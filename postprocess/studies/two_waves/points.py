@@ -26,24 +26,25 @@ WAVE = ("wavelength_x_over_a", "wavelength_y_over_a")
 DEFAULTS = {"pressure_viscosity_per_pa": Oil().pressure_viscosity_per_pa, "flow_law": "newtonian"}
 
 LARGEST_ERROR = 0.03
-"""Of Ad/Ai from two grids, absolute: points beyond it say more about the grid than about waves."""
+"""Error of Ad/Ai from two grids, absolute: points beyond it measure the grid rather than waves."""
 
 SOLVED = ("converged", "inaccurate")
-"""Of the status. The accuracy of a sweep is relative to Ad/Ai, which counts small responses out
-that are known well enough in units of Ai."""
+"""Statuses of solved cases. The accuracy of a sweep is relative to Ad/Ai, which excludes small
+responses that are accurate in units of Ai.
+"""
 
 LEAST_LOAD = 5.0
 
 
 @dataclass(frozen=True)
 class Pairs:
-    """Waves under slip with what became of the same waves in pure rolling; arrays over points.
+    """Waves under slip with the results of the same waves in pure rolling; arrays over points.
 
     ``table`` holds M, L, D, gamma, kappa, alphabar, slip and the like, ``film`` and ``rolling`` the
     responses over Ai at the contact centre, amplitudes extrapolated to mesh size 0; ``attenuated``
-    in closed form at the computed contact centre, ``mismatch`` and ``mismatch_rolling`` those of
-    the wave numbers there, see :class:`ehlwave.contact.two_waves.Launch`; ``error`` the error bar
-    of ``film``.
+    in closed form at the computed contact centre, ``mismatch`` and ``mismatch_rolling`` the
+    mismatches of the wave numbers there, see :class:`ehlwave.contact.two_waves.Launch`; ``error``
+    the error bar of ``film``.
     """
 
     table: pd.DataFrame

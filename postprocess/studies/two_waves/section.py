@@ -29,7 +29,7 @@ SMALL = 0.1
 """Responses below it count as small."""
 
 BANDS = (0.0, 0.5, 0.75, 0.9, 0.97, 1.03, 1.1, 1.25, 1.5, 2.0)
-"""Of S."""
+"""Bands of S."""
 
 
 def section(folder: Path) -> Section:
@@ -148,7 +148,7 @@ def _errors(law: Law, trained: tuple[Pairs, Complex], fresh: Pairs) -> Table:
 
 
 def _half(pairs: Pairs) -> Complex:
-    """Return a + c with half of what is missing launched, and carried with the oil."""
+    """Return a + c with half of the missing part launched, and carried with the oil."""
     return pairs.attenuated + 0.5 * (1 - pairs.attenuated) * np.exp(1j * pairs.mismatch)
 
 

@@ -25,7 +25,7 @@ CONTACT = {
 STRESS_PA = 5e6
 SLIPS = (1.3, 0.7)
 SIGNS = {"ridge": 1, "groove": -1, "bump": 1, "dimple": -1}
-"""Of the heights. Ridge and groove lie across rolling, bump and dimple are round."""
+"""Signs of the heights. Ridge and groove lie across rolling, bump and dimple are round."""
 
 SHARE = 0.05
 """Height over film."""
@@ -39,13 +39,15 @@ ALONG = "sliding_along"
 """Names of the sweeps."""
 
 HALF_WIDTH = 0.25
-"""Of a shape, in units of a: height exp(-(x/0.25 a)^2), of round ones with the radius for x."""
+"""Half width of a shape, in units of a: height exp(-(x/0.25 a)^2), for round shapes with the radius
+for x.
+"""
 
 LENGTH = 6.0
-"""Of the surface, in units of a, the shape in its middle."""
+"""Length of the surface, in units of a, the shape in its middle."""
 
 POINTS_PER_A = {"ridge": 64, "groove": 64, "bump": 48, "dimple": 48}
-"""Of the surface; no more than its smoothness asks for."""
+"""Points of the surface, as its smoothness requires."""
 
 X_MIN, PLACE = -2.5, 0.1
 """Where the leading end of the surface starts, and where its middle is at the end, X."""

@@ -12,7 +12,7 @@ from ehlwave.contact.data_sheet import Oil
 from ehlwave.operating_point import Contact
 
 Numbers = Mapping[str, Any]
-"""Numbers in SI by keys; what is no number as it was typed."""
+"""Numbers in SI by keys; other texts unchanged."""
 
 
 @dataclass(frozen=True)
@@ -20,13 +20,13 @@ class Given:
     """Input of the page."""
 
     keys: Numbers
-    """Of :class:`ehlwave.Contact`, or of its ``from_bodies``."""
+    """Arguments of :class:`ehlwave.Contact`, or of its ``from_bodies``."""
     bodies: tuple[Numbers, Numbers] | None = None
-    """Arguments of :class:`ehlwave.Body`, the rough one first."""
+    """Arguments of :class:`ehlwave.Body`, the rough body first."""
     oil: Numbers = field(default_factory=dict)
     """Arguments of `maker`."""
     maker: str = ""
-    """Of :class:`ehlwave.Oil`; the oil stands in `keys` where there is none."""
+    """Arguments of :class:`ehlwave.Oil`; without any, `keys` contains the oil."""
 
 
 def made(given: Given) -> Contact:

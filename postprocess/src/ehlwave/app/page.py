@@ -23,7 +23,7 @@ AT_BOTTOM: dict[str, Any] = {
     "sizing_mode": "stretch_width",
     "styles": {"position": "sticky", "bottom": "0", "z-index": "10", "background": "white"},
 }
-"""Of what stays in sight while the fields above it are scrolled."""
+"""Style of the part that stays in sight while the fields above it are scrolled."""
 
 
 class Page:

@@ -18,7 +18,7 @@ class Quantity:
     """A number with a unit."""
 
     key: str
-    """Of the input files, or an argument."""
+    """Key of the input files, or an argument."""
     label: str
     """Beside the field."""
     example: str = ""

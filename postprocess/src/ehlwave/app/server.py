@@ -29,7 +29,7 @@ UNUSED_MS = 120_000
 LOOPBACK = ("127.0.0.1", "localhost")
 
 SERVED = r"/|/ws|/favicon\.ico|/static/(js|extensions/panel)(/([\w@^.+-]|%5E)+)+"
-"""Paths that there are: the page, its socket, and what Panel and Bokeh bring for browsers."""
+"""Served paths: the page, its socket, and files of Panel and Bokeh for browsers."""
 
 
 class _Refused(RequestHandler):

@@ -5,7 +5,7 @@ POLICY = (
     "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self' data:; "
     "connect-src 'self' data: blob:; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
-"""What a browser may load: the server's own, which the browser keeps to."""
+"""Allowed sources of a browser: the server itself."""
 
 TEMPLATE = """
 {% extends base %}

@@ -22,7 +22,7 @@ from ehlwave.surface.read import ReadOptions
 
 DOTS_PER_INCH = 200
 _DRAWING = Lock()
-"""Settings of Matplotlib are those of the whole process."""
+"""Settings of Matplotlib apply to the whole process."""
 
 
 @dataclass(frozen=True)

@@ -15,13 +15,13 @@ from ehlwave.writing import Writer
 
 LARGEST_MB = 16
 LARGEST_BYTES = LARGEST_MB * 10**6
-"""Of a file."""
+"""Limit of a file."""
 
 UNPACKED_MB = 64
-"""Of what a packed file holds."""
+"""Limit of the content of a packed file."""
 
 MOST_POINTS = 2**22
-"""Of a surface that the page judges; the command line takes larger ones."""
+"""Limit of a surface on the page; the command line takes larger surfaces."""
 
 LONGEST_NAME = 100
 

@@ -9,7 +9,7 @@ from ehlwave.app.quantities import Quantity, in_si
 from ehlwave.app.uploads import LARGEST_BYTES, LARGEST_MB, Upload, too_large
 
 CHUNK_BYTES = 2**20
-"""Of a file, in one message of the browser."""
+"""Parts of a file, per message of the browser."""
 
 _TIGHT = [
     "input, select { padding: 3px 8px; min-height: 2.1em; font-size: 14px; }"
@@ -17,7 +17,7 @@ _TIGHT = [
 ]
 _UNIT = ["div { font-size: 14px; padding-left: 4px; color: #33434d; white-space: nowrap; }"]
 HALF = {"flex": "1 1 0", "min-width": "0"}
-"""Of a line of two."""
+"""Half of a line of two."""
 
 
 class NumberField:

@@ -10,10 +10,9 @@ from pathlib import Path
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import read_given
 from ehlwave.errors import ExtrapolationWarning, SurfaceError
-from ehlwave.laws.law_list import others_of
-from ehlwave.laws.table import TableTransfer
-from ehlwave.laws.table_read import read_table
-from ehlwave.laws.transfer import FormulaTransfer, Transfer
+from ehlwave.laws.asked import Asked
+from ehlwave.laws.law_list import others_of, transfer_for
+from ehlwave.laws.transfer import Transfer
 from ehlwave.operating_point import Contact, contact_of
 from ehlwave.results.coefficients import read_coefficients
 from ehlwave.surface.answer import answer_of_two
@@ -47,7 +46,7 @@ def read_options(options: argparse.Namespace) -> ReadOptions:
 def run_deform(options: argparse.Namespace) -> None:
     """Predict the shape of a surface, or two, inside the contact; print and write it."""
     given = read_given(options.conditions)
-    contact = contact_of(given)
+    contact = contact_of(given, options.table)
     results = [_predicted(options, options.surface, contact)]
     results[0].warnings.extend(given.notices)
     pair = None
@@ -140,13 +139,10 @@ def run_surface(options: argparse.Namespace) -> None:
 
 def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer | None:
     """Return the transfer of a file that the user names; None: the list of laws has it."""
-    if options.table is not None:
-        return TableTransfer(conditions, read_table(options.table), options.table.name)
     if options.refit is None:
         return None
-    if conditions.is_starved:
-        raise SurfaceError("--refit is for flooded contacts, and oil_over_flooded is given")
-    return FormulaTransfer(conditions, *read_coefficients(options.refit), options.refit.name)
+    own = (*read_coefficients(options.refit), options.refit.name)
+    return transfer_for(Asked(conditions, coefficients=own), "paper")
 
 
 def _others(result: Deformed, options: argparse.Namespace) -> list[Deformed]:

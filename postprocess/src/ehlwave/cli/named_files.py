@@ -12,7 +12,7 @@ from ehlwave.inputs import namelist_values
 from ehlwave.inputs.namelist import read_namelist
 
 OUTPUTS = ("output", "csv", "parquet", "netcdf", "vtk")
-"""Options that name what is written; every other path is an input."""
+"""Options that name output files; every other path is an input."""
 
 
 def inputs(options: argparse.Namespace) -> Iterator[str | Path]:

@@ -22,6 +22,8 @@ OF_SURFACES = {
     "friction": None,
     "second": None,
     "smooth": None,
+    "by": None,
+    "table": None,
     "slide_to_roll_ratio": None,
     "form": FORM,
     "ends": WINDOWS[0],
@@ -73,7 +75,7 @@ def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa
         )
     given = read_given(options.conditions)
     reading = {field.name: getattr(options, field.name) for field in fields(ReadOptions)}
-    result = contact_of(given).stress(
+    result = contact_of(given, options.table).stress(
         options.file,
         options.second,
         friction=options.friction,
@@ -81,6 +83,7 @@ def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa
         poisson_ratio=options.poisson_ratio,
         depths_m=None if depths is None else depths * 1e-6,
         smooth=options.smooth,
+        by=options.by,
         form=options.form,
         ends=options.ends,
         **reading,

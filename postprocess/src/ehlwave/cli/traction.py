@@ -13,11 +13,11 @@ def run_traction(options: argparse.Namespace) -> None:
     """Compute and print friction over slip; write table and figure."""
     try:
         keys = read_keys(options.case)
-        found = traction(keys, options.ratios, options.ranks, progress=False)
+        found = traction(keys, options.ratios, options.ranks, False, options.by)
     except ArgumentError as error:  # in a command, an argument is an input
         raise ResultsError(str(error)) from error
     for row in found.table.itertuples():
-        if row.status != "converged":
+        if row.status not in ("converged", "law"):
             note = f"slide_to_roll_ratio = {getattr(row, RATIO):g}: {row.status}"
             print(f"ehlwave: note: {note}", file=sys.stderr)
     if options.json:
@@ -61,7 +61,10 @@ def text_of(found: Traction) -> str:
             line += f"{row['rise_mid_film_k']:10.1f}"
         lines.append(f"{line}{row['central_film_um']:11.4g}   {row['regime']}")
     value, ratio, falls = found.largest
+    has_error = "friction_error" in table
     beyond = "it falls again beyond" if falls else "at the end of the ratios"
     limit = "" if found.limit is None else f"; stress at most {found.limit:g} of the pressure"
-    lines.append(f"Largest friction {value:.4f} at {ratio:g}, {beyond}{limit}.")
+    error = table.loc[table[found.curve] == value, "friction_error"] if has_error else ()
+    known = "".join(f" within {100 * one:.2g} %" for one in error if one == one)
+    lines.append(f"Largest friction {value:.4f}{known} at {ratio:g}, {beyond}{limit}.")
     return "\n".join([*lines, *(f"Warning      {text}" for text in found.warnings)])

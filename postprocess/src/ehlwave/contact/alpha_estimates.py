@@ -14,7 +14,7 @@ from ehlwave.contact.viscosity_grade import Walther
 from ehlwave.errors import SurfaceError, see
 
 SECANT_PA = 2e8
-"""Gold's alpha is that of a straight line from ambient pressure to here."""
+"""Gold's alpha is the slope of a straight line from ambient pressure to here."""
 
 GOLD = {
     "mineral": (9.904, 0.139),

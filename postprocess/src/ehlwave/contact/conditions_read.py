@@ -72,7 +72,11 @@ def read_conditions(words: Sequence[str]) -> Conditions:
 
 def read_given(words: Sequence[str]) -> Given:
     """Return the conditions of words, as for :func:`read_conditions`, with heat."""
-    place, every = _place(words), _every_key(words)
+    return given_of(_every_key(words), _place(words))
+
+
+def given_of(every: Mapping[str, Any], place: str) -> Given:
+    """Return the conditions of keys of an input file; `place` names the file in messages."""
     keys = {
         key: value
         for key, value in every.items()

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from ehlwave.contact.scales import moes_film
 
 DATA_ERRORS = ("viscosity_error", "pressure_viscosity_error")
-"""Relative errors of what the oil is known by; the film carries them."""
+"""Relative errors of the oil's data; the film includes them."""
 
 
 def film_change(m: float, l: float, d: float, viscosity: float, alpha: float) -> float:  # noqa: E741

@@ -9,12 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
-from ehlwave.contact.heat_data import EMPTY_HEAT
 from ehlwave.contact.starvation import OIL_OVER_FLOODED
-from ehlwave.errors import SurfaceError, did_you_mean, printable
+from ehlwave.errors import SurfaceError, printable
 from ehlwave.inputs.key_classes import HEAT_DATA, OF_THE_SOLUTION, OF_WAVES, WITHOUT_EFFECT
-from ehlwave.inputs.key_values import values_of
-from ehlwave.inputs.namelist import Namelist, read_namelist
+from ehlwave.inputs.key_values import EMPTY_HEAT, values_of
+from ehlwave.inputs.namelist import read_namelist
 
 GROUPS = ("conditions", "lubricant", "heat", "inlet", "grid", "solver", "dynamics", "output")
 OF_ROUGHNESS = ("waviness", "waviness2", "surface", "surface2")
@@ -23,7 +22,7 @@ OF_ROUGHNESS = ("waviness", "waviness2", "surface", "surface2")
 KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
 """Laws of :class:`ehlwave.contact.medium.Oil`; files may name others."""
 LAW_PREFIXES = ("mcewen_", "yasutomi_", "doolittle_", "tait_", "viscosity_table")
-"""Of the parameters of other laws."""
+"""Prefixes of the parameters of other laws."""
 OWN_COEFFICIENT = ("mcewen", "yasutomi", "doolittle", "table")
 """Laws of viscosity that have no `pressure_viscosity_per_pa`."""
 FLOW_LAW, TEMPERATURE = "flow_law", "temperature_k"
@@ -46,8 +45,8 @@ NOT_USED: dict[str, tuple[float | str, str]] = {
     "load_factor": (1, "films and responses are those of the load before its step"),
     "wave_temperatures": ("frozen", "waves are those without heat, over the film with heat"),
 }
-"""Keys of which predictions say that they do not use them: the value that needs no word, and what
-holds instead."""
+"""Keys that predictions report as unused: the value without a message, and the assumption instead.
+"""
 
 LEFT_OUT = (
     OF_WAVES
@@ -78,30 +77,19 @@ def keys_of_file(path: Path) -> dict[str, Any]:
             f"{place}: no such file; give an input file of ehlwave-case or KEY=VALUE"
         )
     file = read_namelist(path)
-    groups = values_of(file)
+    groups = values_of(file, other_keys=KNOWN_KEYS)
     if "conditions" not in groups:
         raise SurfaceError(f"{place}: has no group &conditions")
-    _check_groups(groups, file, place)
+    _check_groups(groups, place)
     found: dict[str, Any] = {}
-    for (group, key), entry in file.entries.items():
+    for group, key in file.entries:
         if group in OF_ROUGHNESS:
             continue
-        line = f"{file.path}:{entry.line}"
-        if not is_classified(key):
-            near = did_you_mean(key, (*USED, *NOT_USED, *OTHER_INLET_KEYS))
-            raise SurfaceError(f"{line}: unknown key {key}{near}")
         found[key] = groups[group][key]
     return {key: value for key, value in found.items() if key not in LEFT_OUT}
 
 
-def _check_groups(groups: Mapping[str, Any], file: Namelist, place: str) -> None:
-    for name in groups:
-        if name not in (*GROUPS, *OF_ROUGHNESS):
-            near = did_you_mean(name, (*GROUPS, *OF_ROUGHNESS))
-            raise SurfaceError(
-                f"{file.path}:{file.groups[name]}: &{name} is no group of ehlwave-case{near}: "
-                "remove it"
-            )
+def _check_groups(groups: Mapping[str, Any], place: str) -> None:
     if "heat" in groups and "oil_conductivity_w_per_m_k" not in groups["heat"]:
         raise SurfaceError(f"{place}: {EMPTY_HEAT}")
     for key in groups.get("inlet", {}):

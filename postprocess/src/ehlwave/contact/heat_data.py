@@ -45,7 +45,6 @@ class BodyHeat(NamedTuple):
 
 SOFT_STEEL = BodyHeat()
 CONDUCTIVITY_ERROR = "oil_conductivity_error"
-EMPTY_HEAT = "&heat needs oil_conductivity_w_per_m_k: give it, or remove the group"
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ LOAD_KEY = "load_n_per_m"
 LINE_KEYS = ("radius_x_m", "reduced_modulus_pa", LOAD_KEY, "mean_speed_m_per_s", "viscosity_pa_s")
 
 SLENDER_OVER_LINE = (2 * math.pi**3 / 3) / (2 * math.pi) ** 1.5
-"""gamma M of slender elliptical contacts over that of the line contact of equal alphabar and L."""
+"""gamma M of slender elliptical contacts over the line contact of equal alphabar and L."""
 
 _SLENDER = "take a slender elliptical contact of equal Hertz pressure (radius_y_m = 25 radius_x_m)"
 TRANSVERSE_ALONE = (

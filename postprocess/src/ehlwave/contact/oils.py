@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 ROELANDS_PA = 1.96e8
 DENSITY_PA, DENSITY_LIMIT = 5.9e8, 1.34
-"""Of Dowson and Higginson's density, (5.9e8 + 1.34 p)/(5.9e8 + p)."""
+"""Coefficients of Dowson and Higginson's density, (5.9e8 + 1.34 p)/(5.9e8 + p)."""
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,8 @@ FILM_ERROR = 0.0064
 FILM_RANGES = {"M": (20.0, 1000.0), "L": (2.0, 20.0), "D": (0.1, 1.0), "r": (0.2, 5.0)}
 
 WAVE_COEFFICIENTS = (0.7569, 0.6734, -0.8266, 0.9517, 0.2906)
-"""Powers of R: in x, in x times cos^2(theta), in n; factor of x; power of 1/R in that of all."""
+"""Powers of R: in x, in x times cos^2(theta), in n; factor of x; power of 1/R in the common error.
+"""
 WAVE_ERROR = 0.0265
 """Root mean square of the law for Ad/Ai, held out by contacts."""
 WAVE_RANGES = {"M": (50.0, 800.0), "L": (4.0, 18.0), "D": (0.1, 1.0), "R": (0.39, 1.0)}
@@ -40,7 +41,7 @@ errors by the meniscus, theory eq. (C8), within the second."""
 TRANSVERSE, OTHERS = (0.25, 2.0), (0.35, 1.0)
 """Wavelengths over a, along the wave vector, of the responses that the law was fitted to."""
 TRANSVERSE_BELOW_DEG = 22.5
-"""Waves at smaller angles count as transverse: the fitted ones were at 0, 45 and 90 degrees."""
+"""Waves at smaller angles count as transverse: the fitted angles were 0, 45 and 90 degrees."""
 
 OIL_OVER_FLOODED = "oil_over_flooded"
 """The key of r."""

@@ -26,7 +26,7 @@ their sum is a bound for contacts without an atlas: of those in ``record/thinnin
 none loses more than 0.93 of it. Ree-Eyring oils under slip lose up to 1.23 of it."""
 
 MOST_LOSS = 0.15
-"""Loss up to which a film of a Newtonian oil stands for that of one that thins."""
+"""Loss up to which a film of a Newtonian oil replaces the film of a shear-thinning oil."""
 
 NEARLY_NEWTONIAN = 0.005
 """Loss below which it is as good."""

@@ -19,10 +19,10 @@ from ehlwave.inputs.slip import RATIO, SLIP, slip_of
 from ehlwave.quantities import number, plain
 
 BODY_KEYS = ("load_n", LOAD_KEY, "length_m", "speeds_m_per_s", "mean_speed_m_per_s", SLIP, RATIO)
-"""What users say of the contact of two bodies, besides the oil."""
+"""Keys of the contact of two bodies, besides the oil."""
 
 FROM_BODIES = ("radius_x_m", "radius_y_m", "reduced_modulus_pa", "semi_axis_a_m")
-"""What follows from the bodies."""
+"""Keys that follow from the bodies."""
 
 Names = list[tuple[str, str, float]]
 

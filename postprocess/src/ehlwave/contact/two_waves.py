@@ -50,10 +50,11 @@ MOST_REGAINED = 1.0
 """Largest -Im(psi - psi_1): R is not known so well that more of its loss could be taken back."""
 
 SLIP_ERRORS = {"Ree-Eyring": 0.11, "Newtonian": 0.17, "Carreau": 0.28}
-"""Of the law of the two waves, units of Ai, by oil: twice the rms error in conditions held out of
-its fit (``record/two_waves/errors.csv``). No Carreau oil is in the fit: 95 % of drawn waves that
-are no ridges along rolling are within (G 1 to 30 MPa, n 0.3 to 0.9;
-``record/judged/sheared_waves.csv``)."""
+"""Errors of the law of the two waves, units of Ai, by oil: twice the rms error in conditions held
+out of its fit (``record/two_waves/errors.csv``). No Carreau oil is in the fit: 95 % of drawn waves
+other than ridges along rolling are within (G 1 to 30 MPa, n 0.3 to 0.9;
+``record/judged/sheared_waves.csv``).
+"""
 
 MOST_CARREAU_SHEAR = (20.0, 50.0)
 """Largest stresses by pressure and by slip in the inlet of a Carreau oil, over its own

@@ -17,15 +17,15 @@ COLD_K, HOT_K = 313.15, 373.15
 ISO_GRADES = (2, 3, 5, 7, 10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460, 680, 1000, 1500)
 ISO_GRADES += (2200, 3200)
 GRADE_ERROR = 0.10
-"""Of ISO 3448: a grade is the viscosity at 40 C within 10 %."""
+"""Tolerance of ISO 3448: a grade is the viscosity at 40 C within 10 %."""
 
 THINNEST = 0.21
-"""Of ASTM D341, mm2/s."""
+"""Lower limit of ASTM D341, mm2/s."""
 
 BEND = 0.0195
 """Most by which log10 log10 Z of a measured oil leaves the straight line, over u (u - 1), u being 0
-at 40 C and 1 at 100 C: of :data:`ehlwave.contact.measured_oils.MEASURED` but one oil, whose bend is
-more than twice that of any other."""
+at 40 C and 1 at 100 C: of :data:`ehlwave.contact.measured_oils.MEASURED` without one oil, whose
+bend is more than twice any other."""
 
 INDEX_TERMS = (
     (2.0, 1.14673, 1.7576, -0.109, 0.84155, 1.5521, -0.077),

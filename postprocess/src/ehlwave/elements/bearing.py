@@ -39,7 +39,7 @@ class RollingBearing:
     load_zone: Callable[..., LoadZone]
     """Method that returns the loads around the bearing; the kinds of bearings have it."""
     variants: tuple[RollingBearing, ...] = ()
-    """The same bearing with other inner dimensions, where they are estimated."""
+    """Bearings with other inner dimensions, where they are estimated."""
     inside_errors: Mapping[str, float] = {}
     """Errors of estimated inner dimensions, relative; of counts absolute."""
 
@@ -218,7 +218,7 @@ class RollingBearing:
         Returns
         -------
         xarray.Dataset
-            Over ``ring`` and ``angle_deg``; columns are those of
+            Over ``ring`` and ``angle_deg``; columns as in
             :data:`ehlwave.elements.columns.COLUMNS`. Attributes have the power of rolling and
             sliding, kappa of ISO 281 and the worst places.
         """

@@ -129,7 +129,7 @@ class ElementDocument:
         Parameters
         ----------
         **more
-            Arguments of the call, such as ``trace``, before those of the file.
+            Arguments of the call, such as ``trace``, which override the file.
         """
         element = self.element()
         call = getattr(element, CALLS[self.name][1])

@@ -30,7 +30,7 @@ class GearPair:
     """A pair of involute gears; subclasses define the helix angle."""
 
     geometry: InvolutePair
-    """Of the involutes."""
+    """Geometry of the involutes."""
     face_width_m: float
     """Width that bears load."""
     elastic: tuple[Mapping[str, Any], Mapping[str, Any]]
@@ -186,7 +186,7 @@ class GearPair:
         Returns
         -------
         xarray.Dataset
-            Over ``distance_m``, s; columns are those of
+            Over ``distance_m``, s; columns as in
             :data:`ehlwave.elements.columns.COLUMNS`. Attributes have mean powers of sliding and
             rolling, efficiency and the worst places.
         """

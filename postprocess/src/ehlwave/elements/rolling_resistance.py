@@ -1,85 +1,12 @@
-"""Rolling resistance of the oil in the inlet: Biboulet and Houpert (2010).
+"""Rolling resistance and power of the contacts of an element."""
 
-N. Biboulet and L. Houpert, *Hydrodynamic force and moment in pure rolling lubricated contacts*,
-Proc. IMechE Part J, 224 (2010): part 1, line contacts, 765-775, formula 42; part 2, point
-contacts, 777-787, formula 32. The force acts at each of both surfaces, so that the power is twice
-force times mean speed. Flooded, isothermal; fitted from M = 0.2 to 200 (lines) and 800 (points), L
-of 4 to 16.
-"""
-
-import math
 from collections.abc import Iterable
 
-from ehlwave.contact.scales import ellipticity, integral_combinations
-from ehlwave.elements.hertz import hertz_point, reduced_modulus
+from ehlwave.elements.hertz import reduced_modulus
 from ehlwave.elements.place import ElementContact
+from ehlwave.laws.rolling_resistance import LINE_ERROR, error_of, rolling_force
 
-LINE_ERROR, POINT_ERROR = 0.18, 0.55
-"""Relative. Twelve contacts of ``ehlwave-case`` (M of 1.8 to 4,300, L of 8 to 16, D of 0 and 0.033
-to 1) with oil out to Rx are 0 to 10 % above the formula of lines, 14 to 52 % above that of points;
-at M = 5 lines are 15 % above (theory, after (T14)). With little oil around the contact points lie
-below the formula. A test has the values."""
-
-
-def error_of(length_m: float | None) -> float:
-    """Return the relative error of the force.
-
-    Parameters
-    ----------
-    length_m : float or None
-        Of a line contact; None: a point.
-    """
-    return POINT_ERROR if length_m is None else LINE_ERROR
-
-
-def rolling_force(
-    load_n: float,
-    radius_x_m: float,
-    radius_y_m: float,
-    reduced_modulus_pa: float,
-    viscosity_pa_s: float,
-    mean_speed_m_per_s: float,
-    length_m: float | None = None,
-) -> float:
-    """Return the force that rolling takes at each surface, N.
-
-    Parameters
-    ----------
-    load_n, radius_x_m, radius_y_m, reduced_modulus_pa, viscosity_pa_s, mean_speed_m_per_s : float
-        Load, reduced radii, E', viscosity at ambient pressure, mean speed.
-    length_m : float, optional
-        Of a line contact.
-
-    Examples
-    --------
-    >>> from ehlwave.elements.rolling_resistance import rolling_force
-    >>> print(f"{rolling_force(600, 4.23e-3, 0.1495, 2.31e11, 0.02, 3.18):.3f} N")
-    0.164 N
-    """
-    speed = 2 * viscosity_pa_s * abs(mean_speed_m_per_s) / (reduced_modulus_pa * radius_x_m)
-    if length_m is not None:
-        return _line_force(load_n / length_m, radius_x_m, reduced_modulus_pa, speed) * length_m
-    kappa = ellipticity(radius_x_m / radius_y_m)
-    first, second = integral_combinations(kappa)
-    ellipse_e = second + kappa**2 * first  # E of parameter 1 - kappa^2, see contact.scales
-    beta = 4 / math.pi * ellipse_e / (1 + radius_x_m / radius_y_m)
-    half_width = hertz_point(load_n, radius_x_m, radius_y_m, reduced_modulus_pa).semi_axis_y_m
-    load = load_n / (reduced_modulus_pa * radius_x_m**2)
-    m = beta**0.25 * kappa * load / speed**0.75
-    rigid = 0.77 * beta ** (-1 / 3) * kappa**0.12 * speed ** (-1 / 12)
-    elastic = 1.8 * beta**-0.25
-    moment = 2 * half_width / radius_x_m * ((rigid - elastic) / (1 + m / 6.6) + elastic)
-    return reduced_modulus_pa * radius_x_m**2 * moment * speed**0.75
-
-
-def _line_force(load_n_per_m: float, radius_m: float, modulus_pa: float, speed: float) -> float:
-    """Return the force over the length, N/m: formula 42 of part 1, T times p_h b^2/R."""
-    load = load_n_per_m / (modulus_pa * radius_m)
-    m = load / math.sqrt(speed)
-    t = 1.4 / m / (1 + (1.4 / 1.45 * math.sqrt(m)) ** 10) ** 0.1
-    half = radius_m * math.sqrt(8 * load / math.pi)
-    pressure = 2 * load_n_per_m / (math.pi * half)
-    return t * pressure * half**2 / radius_m
+__all__ = ["LINE_ERROR", "error_of", "force_of", "rolling_force", "rolling_power_w"]
 
 
 def rolling_power_w(places: Iterable[ElementContact]) -> float:

@@ -25,7 +25,7 @@ class TestRig:
     bodies: tuple[Body, Body]
     """The rough one first."""
     length_m: float | None = None
-    """Of a line contact."""
+    """Length of a line contact."""
 
     def contact_at(
         self,

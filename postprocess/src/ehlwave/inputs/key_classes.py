@@ -56,7 +56,7 @@ OF_THE_SOLUTION = frozenset(
     """
     )
 )
-"""How well a response is known, not what it is."""
+"""Quality of a response, not its value."""
 
 WITHOUT_EFFECT = frozenset(
     _names(
@@ -76,7 +76,7 @@ HEAT_DATA = _names(
     body2_density_kg_per_m3 body2_heat_capacity_j_per_kg_k
     """
 )
-"""What a contact with heat is given by, besides `temperature_k`."""
+"""Keys of heat of a contact, besides `temperature_k`."""
 
 OF_THE_HEAT = frozenset(
     (

@@ -35,7 +35,7 @@ class Token:
     """As written, without quotes."""
     line: int
     is_attached: bool
-    """Whether nothing separates this token from the one before."""
+    """Whether no blank separates this token from the previous one."""
 
 
 def shown(text: bytes) -> str:

@@ -12,7 +12,7 @@ from ehlwave.quantities import number
 
 SLIP, RATIO = "slip_parameter", "slide_to_roll_ratio"
 DECIMALS = 12
-"""That are kept, as in the programs: S = 0.98 and a ratio of -0.04 are one number."""
+"""Decimals that are kept, as in the programs: S = 0.98 and a ratio of -0.04 are the same number."""
 
 
 def slip_of(ratio: float) -> float:

@@ -39,6 +39,12 @@ class Film:
     heated : Heated or None
         Of a contact with heat: by how much heat thins the film, friction with and without heat,
         rises of the temperature.
+    rolling_resistance_coefficient, rolling_resistance : float or None
+        Force that resists rolling at each surface: over the load, and in N (line contacts: N/m);
+        the power is twice this force times the mean speed. It acts in pure rolling, too, where the
+        friction coefficient is 0. None: not known.
+    rolling_resistance_error : float or None
+        Relative error of both.
     warnings : tuple of str
         Doubts about the numbers: large errors, a warm inlet without heat data.
 
@@ -61,6 +67,9 @@ class Film:
     friction_error: float | None
     source: str
     heated: Heated | None = None
+    rolling_resistance_coefficient: float | None = None
+    rolling_resistance: float | None = None
+    rolling_resistance_error: float | None = None
     warnings: tuple[str, ...] = ()
 
     def _repr_html_(self) -> str:
@@ -73,6 +82,9 @@ class Film:
         rows["smallest film"] = micrometres(self.minimum_m)
         if self.friction is not None:
             rows["friction"] = within(self.friction, self.friction_error)
+        if self.rolling_resistance_coefficient is not None:
+            known = self.rolling_resistance_coefficient, self.rolling_resistance_error
+            rows["rolling resistance over load"] = within(*known)
         if self.heated is not None:
             rows["film by heat"] = f"{self.heated.film_factor:.3f} of that without"
         return html_table("Film", rows | {"source": self.source})

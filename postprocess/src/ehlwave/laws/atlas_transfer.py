@@ -1,7 +1,7 @@
 """Transfer from the atlas: amplitude and phase, and their errors, of each harmonic component."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,7 @@ from ehlwave.laws.transfer import Waves
 Complex = NDArray[np.complex128]
 
 WAVES, ANGLES = 72, 31
-"""Of the chart that is interpolated for maps, over ln wavelength and angle."""
+"""Nodes of the chart that is interpolated for maps, over ln wavelength and angle."""
 
 REFINED = 4
 """Times as fine is the chart made by splines, so that lines between its points do for millions of
@@ -224,35 +224,3 @@ def _between(logs: Waves, angles: Waves, parts: list[Waves]) -> Callable[[Waves,
         return np.asarray(found[0].T)
 
     return interpolate
-
-
-def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Conditions:
-    """Return conditions with the atlas' central film in place of a formula's.
-
-    A given film stays; so does the formula's where there are no lengths.
-
-    Raises RangeError outside the atlas, and of oils that it does not hold.
-    """
-    if _keeps_film(conditions):
-        return conditions
-    chart = chart_of(replace(conditions, slip_parameter=conditions.film_slip), atlas)
-    film = chart.film()
-    error = film.central_error + conditions.oil_error + conditions.starvation_error
-    source = f"atlas, within {100 * error:.2g} %"
-    if conditions.is_starved:
-        law = f"R = {conditions.film_ratio:.3g} of the law of starved contacts"
-        source = f"atlas times {law}, within {100 * error:.2g} %"
-    if chart.film_loss and chart.film_source == chart.source:
-        thins = f"up to {100 * chart.film_loss:.2g} % too thick as this one thins"
-        source = f"atlas of Newtonian oils, {thins}, within {100 * error:.2g} %"
-    return replace(
-        conditions,
-        central_film_m=film.central_moes * conditions.metres_per_moes * conditions.film_ratio,
-        film_source=source,
-        central_film_error=error,
-    )
-
-
-def _keeps_film(conditions: Conditions) -> bool:
-    """Return whether the film is given, or there are no lengths."""
-    return conditions.metres_per_moes is None or conditions.has_given_film

@@ -21,7 +21,8 @@ MINIMUM_ERROR = 0.05
 LARGEST_LINE = 8192
 """Cells of the refined grids of line contacts at most."""
 LARGEST_GRID, STARVED_SHARE, WARM_SHARE = 2**18, 2, 4
-"""Cells of those of other contacts (3 s on two cores), and divisors of starved and warm ones."""
+"""Cells of other contacts (3 s on two cores), and divisors for starved and warm contacts.
+"""
 
 SOURCE = "computed by ehlwave-case"
 
@@ -71,6 +72,9 @@ def computed_film(
         friction=friction,
         friction_error=friction_error,
         source=SOURCE,
+        rolling_resistance_coefficient=_known(found, "rolling_resistance_coefficient"),
+        rolling_resistance=_known(found, "rolling_resistance"),
+        rolling_resistance_error=_known(found, "rolling_resistance_error"),
         heated=None if heat is None else _heated(found, by_data, friction, friction_error),
     )
 
@@ -102,6 +106,11 @@ def smooth_case(
 def _number(found: Mapping[str, Any], key: str) -> float:
     value = found.get(key)
     return math.nan if value is None else float(value)
+
+
+def _known(found: Result, key: str) -> float | None:
+    value = _number(found, key)
+    return value if math.isfinite(value) else None
 
 
 def _central_error(found: Result) -> float:

@@ -38,23 +38,24 @@ ACCURACY, FINER_ACCURACY = 0.05, 0.015
 LARGE_ERROR = 0.025
 """Absolute error of a computed wave above which it is computed again."""
 TOLERANCE, STARVED_TOLERANCE = 0.01, 0.02
-"""Errors of the interpolation, absolute, below those of the atlases and of the law of starved
-contacts."""
+"""Errors of the interpolation, absolute, below the errors of the atlases and of the law of starved
+contacts.
+"""
 FINE = 161
-"""Points of the tables that stand for the splines."""
+"""Points of the tables that replace the splines."""
 LOGS = np.linspace(math.log(WAVE_RANGE[0]), math.log(WAVE_RANGE[1]), FINE)
 FIRST_ANGLES = (0.0, 45.0, 90.0)
 MOST_ANGLES = 9
 LINE_X = 1000.0
 """Wavelength along X, over a, of waves along a line contact: the program takes no infinite one."""
 MOST_FROZEN = 0.3
-"""Error by temperatures that stay those of the smooth contact, above which there is no answer."""
+"""Largest error by frozen temperatures; above it there is no answer."""
 NEGLIGIBLE_FROZEN = 0.05
-"""The same error below which linear responses answer; above it marches do."""
+"""Error by frozen temperatures below which linear responses answer; above it marches do."""
 MARCHED, MOST_MARCHED, MARCHED_ACCURACY, SMALL = (0.3, 3.0), 13, 0.05, 0.02
 """Marches: wavelengths over a, largest number, accuracy, and Ai over the film."""
 MARCHED_ELLIPSE, MOST_ELLIPSE, FIRST_ELLIPSE = (0.5, 3.0), 9, 5
-"""The same of contacts that are no lines, and the number of their first waves."""
+"""Limits of contacts other than lines, and the number of their first waves."""
 FINER: dict[str, Any] = {"cells_x": 256, "cells_y": 128}
 """Grid of marches that stall on the planned one."""
 MARCHED_COLUMNS = "amplitude_ratio_fit", "phase_fit"

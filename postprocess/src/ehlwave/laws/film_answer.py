@@ -13,6 +13,7 @@ from ehlwave.laws.friction_range import friction_outside, slight_slip_error
 from ehlwave.laws.heat_laws import Heated
 from ehlwave.laws.heated_contact import heated
 from ehlwave.laws.isothermal_friction import isothermal_error_by_data
+from ehlwave.laws.rolling_resistance import rolling_of
 from ehlwave.laws.starved_transfer import check_starved
 
 
@@ -78,6 +79,7 @@ def film_of(
     if c.is_starved:
         source += f", times R = {c.film_ratio:.3g} of the law of starved contacts"
     knows_minimum = math.isfinite(minimum)
+    rolling = rolling_of(c, 1.0 if by_heat is None else by_heat.inlet_factor)
     return Film(
         central_m=None if scale is None else central * scale,
         minimum_m=minimum * scale if scale and knows_minimum else None,
@@ -89,6 +91,9 @@ def film_of(
         friction_error=friction_error,
         source=source,
         heated=by_heat,
+        rolling_resistance_coefficient=None if rolling is None else rolling.coefficient,
+        rolling_resistance=None if rolling is None else rolling.force,
+        rolling_resistance_error=None if rolling is None else rolling.error,
     )
 
 

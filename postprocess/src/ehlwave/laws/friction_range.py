@@ -21,11 +21,12 @@ DOMAIN_X, DOMAIN_Y = 2.5, 2.0
 """Ends of the domain of the atlas, upstream and across, in semi-axes."""
 
 WITH_DOWNSTREAM, FEWEST_DOMAINS = 1.3, 2.0
-"""Of the friction outside over that upstream, and how far out it counts at least, in domains: those
-of ``src/reynolds/shear_stress.f90`` and ``src/run/film_errors.f90``."""
+"""Ratio of the friction outside to the friction upstream, and the least distance in domains, as in
+``src/reynolds/shear_stress.f90`` and ``src/run/film_errors.f90``.
+"""
 
 ANGLES, STEPS = 48, 64
-"""Of the sum over the oil outside."""
+"""Points of the sum over the oil outside."""
 
 SLIGHT_SLIP, SLIGHTEST_SLIP = 0.1, 1e-3
 """Deviations of S from 1: friction is less well known below the first, and below the second as
@@ -35,8 +36,9 @@ SLIGHT_SLIP_ERROR, THICKENED = 1.6, 10.0
 """Times M^(-1/2) the relative error of friction that slight slip adds at most, where alpha ph is
 the latter or more; in proportion below. 95 % of drawn contacts keep to it."""
 LINE_ERROR = 0.06
-"""That of lines, whatever M: few contacts of their atlas slip so little. Without it 10 of 68
-drawn lines with S within 0.00003 to 0.1 of 1 were outside their error, by up to 2.3 times."""
+"""Error of lines at any M: few contacts of their atlas slip so little. Without it 10 of 68 drawn
+lines with S within 0.00003 to 0.1 of 1 were outside their error, by up to 2.3 times.
+"""
 
 
 def slight_slip_error(conditions: Conditions) -> float:

@@ -22,17 +22,18 @@ from ehlwave.laws.warm_films import film_error, smallest_factor
 Floats = NDArray[np.float64]
 
 FRICTION_COEFFICIENTS = (0.25537, 0.67337, 0.25624, 0.42594, 0.23419, 0.36664, 56.145)
-"""Of :func:`friction_factor`."""
+"""Coefficients of :func:`friction_factor`."""
 FRICTION_BAR, COLD_BAR = 0.12, 0.03
 """Relative errors of friction with and without heat: 95 % of contacts held out are within. Errors
-of films are those of :func:`ehlwave.laws.warm_films.film_error`."""
+of films come from :func:`ehlwave.laws.warm_films.film_error`."""
 ELLIPSE_BAR = 0.05
-"""More relative error of friction in ellipses: without it 4 of 32 fresh ones are outside."""
+"""More relative error of friction in ellipses: without it 4 of 32 fresh contacts are outside."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
-"""Of :func:`wedge` in the film. Fitted to 187 contacts of unlike bodies, whose films are within
-0.08 for 95 % of them, without 0.14."""
+"""Power of :func:`wedge` in the film. Fitted to 187 contacts of unlike bodies, whose films are
+within 0.08 for 95 % of them, without 0.14.
+"""
 RANGES = {
     "load_parameter_m": (5.0, 1500.0),
     "lubricant_parameter_l": (2.0, 20.0),
@@ -45,7 +46,7 @@ RANGES = {
     "eta0 beta u^2/k": (0.0, 4.0),
     "effusivity of a body": (1.35e3, 1.5e4),
 }
-"""Of the contacts that the laws were fitted to; D is 0 (lines) or 0.2 to 1 besides."""
+"""Ranges of the fit of the laws; D is 0 (lines) or 0.2 to 1."""
 LOWEST_RATIO = 0.2
 
 

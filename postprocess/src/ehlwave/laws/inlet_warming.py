@@ -17,7 +17,7 @@ from ehlwave.laws import inlet_coefficients as table
 Floats = NDArray[np.float64]
 
 FILM_EXPONENT = 0.67
-"""Of viscosity in the film thickness (Hamrock and Dowson 1977)."""
+"""Exponent of viscosity in the film thickness (Hamrock and Dowson 1977)."""
 LEAST_FACTOR = 0.05
 """Keeps the rough estimate positive far beyond its range."""
 

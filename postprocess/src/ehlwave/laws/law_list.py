@@ -17,14 +17,15 @@ from ehlwave.inputs.slip import RATIO, ratio_of
 from ehlwave.laws.answers import Film
 from ehlwave.laws.asked import Asked
 from ehlwave.laws.atlas.ranges import SLIDING_RANGES
-from ehlwave.laws.atlas_transfer import AtlasTransfer, with_atlas_film
+from ehlwave.laws.atlas_transfer import AtlasTransfer
 from ehlwave.laws.computed_film import computed_film
 from ehlwave.laws.computed_transfer import ComputedTransfer
-from ehlwave.laws.film_answer import film_of
+from ehlwave.laws.film_answer import film_of, with_film
 from ehlwave.laws.notices import notices_of
 from ehlwave.laws.sheared_ridges import ShearedRidges
 from ehlwave.laws.standing_waves import StandingRidges
 from ehlwave.laws.starved_transfer import StarvedTransfer
+from ehlwave.laws.table import TableTransfer
 from ehlwave.laws.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.laws.two_wave_transfer import TwoWaveTransfer
 from ehlwave.laws.warm_waves import WarmTransfer, thinner, warmth_of
@@ -47,6 +48,12 @@ class Law:
     is_isothermal: bool = True
 
 
+def _table(asked: Asked) -> Transfer:
+    if asked.table is None:
+        raise RangeError("there is no harmonic table: give table=, the name of its file")
+    return TableTransfer(asked.conditions, asked.table.rows, asked.table.name)
+
+
 def _starved(asked: Asked) -> Transfer:
     return StarvedTransfer(asked.conditions)
 
@@ -66,10 +73,10 @@ def _two_waves(asked: Asked) -> Transfer:
             f"slip_parameter = {slip:g} ({RATIO} = {ratio_of(slip):g}) lies outside {low:g} to "
             f"{high:g}, where the law of the two waves is known to hold"
         )
-    if c.has_sliding_atlas:  # outside it, the film of pure rolling applies
-        c = replace(with_atlas_film(replace(c, slip_parameter=1.0)), slip_parameter=slip)
-    else:
-        c = with_atlas_film(c, asked.atlas())
+    # The film without heat; outside the atlas of sliding contacts the film of rolling.
+    own = asked.cold()
+    film = film_for(own.at_slip(1.0) if c.has_sliding_atlas else own, "laws")
+    c = with_film(c, film)
     transfer = TwoWaveTransfer(c)
     if reasons := transfer.reasons():
         raise RangeError("; ".join(reasons))
@@ -80,13 +87,18 @@ def _computed(asked: Asked) -> Transfer:
     return ComputedTransfer(asked.conditions, asked.heat)
 
 
+def _paper(asked: Asked) -> Transfer:
+    return FormulaTransfer(asked.conditions, *(asked.coefficients or ()))
+
+
 LIST = (
+    Law("table", _table, is_for_starved=True),
     Law("starved", _starved, is_for_starved=True),
     Law("atlas", _atlas),
     Law("two-waves", _two_waves),
     Law("computed", _computed, is_for_starved=True, is_isothermal=False),
     Law("recommended", lambda asked: RecommendedTransfer(asked.conditions), is_unasked=False),
-    Law("paper", lambda asked: FormulaTransfer(asked.conditions), is_unasked=False),
+    Law("paper", _paper, is_unasked=False),
 )
 """All laws, in the order in which they are asked."""
 
@@ -108,7 +120,9 @@ def transfer_for(asked: Asked, by: str | None = None) -> Transfer:
         If no law holds: all reasons.
     """
     if not math.isfinite(asked.conditions.semi_axis_a_m):
-        asked = replace(asked, conditions=replace(asked.conditions, semi_axis_a_m=1.0))
+        asked = asked.of(replace(asked.conditions, semi_axis_a_m=1.0))
+    if by in (None, "laws") and asked.table is not None:
+        by = "table"  # a given table precedes all other laws
     if by not in (None, "laws"):
         return _named(asked, chosen(by, "by", LAWS))
     reasons: list[str] = []
@@ -116,7 +130,7 @@ def transfer_for(asked: Asked, by: str | None = None) -> Transfer:
     for law in LIST:
         if not law.is_unasked or (is_starved and not law.is_for_starved):
             continue
-        if law.name == "starved" and not is_starved:
+        if law.name == "table" or (law.name == "starved" and not is_starved):
             continue
         if law.name == "computed" and (by == "laws" or not has_programs()):
             continue
@@ -136,7 +150,7 @@ def _warm(asked: Asked, law: Law) -> Transfer:
     if film.heated is None:
         return cold
     warmth = warmth_of(film, asked.heat, asked.conditions.slip_parameter)
-    thin = replace(asked, conditions=thinner(asked.conditions, film.heated.film_factor), heat=None)
+    thin = asked.cold().of(thinner(asked.conditions, film.heated.film_factor))
     return WarmTransfer(cold, _with_ridges(thin, law), warmth)
 
 
@@ -224,8 +238,10 @@ def film_for(asked: Asked, by: str | None = None) -> Film:
     RangeError
         If no law holds.
     """
-    found = _film(asked, by)
-    return replace(found, warnings=tuple(notices_of(asked, found)))
+    if by not in asked.films:
+        found = _film(asked, by)
+        asked.films[by] = replace(found, warnings=tuple(notices_of(asked, found)))
+    return asked.films[by]
 
 
 def _film(asked: Asked, by: str | None) -> Film:

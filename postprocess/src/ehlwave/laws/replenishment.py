@@ -30,7 +30,7 @@ TIME_FACTOR = 2.0
 """Measured films decay that much faster or slower than by (C6): van Zoelen, Venner and Lugt."""
 POINTS = 61
 PIECES = 2000
-"""Of a track at most, on each of which g and the film behind count as constant."""
+"""Pieces of a track, at most, on each of which g and the film behind are constant."""
 MOST_OVERROLLINGS = 1e12
 FILMS = ("inlet", "side_flow", "film_over_flooded")
 """Columns of films over the flooded one: by either loss alone, and by both."""
@@ -41,9 +41,9 @@ class Track:
     """Parameters of films over time besides r."""
 
     conditions: Conditions
-    """Of the starved contact, from dimensional data."""
+    """Conditions of the starved contact, from dimensional data."""
     length_m: float
-    """Of the tracks of both bodies together, m."""
+    """Length of the tracks of both bodies together, m."""
 
     def __post_init__(self) -> None:
         """Refuse contacts without film in metres or viscosity, or with another oil."""

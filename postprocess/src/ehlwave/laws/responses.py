@@ -33,7 +33,7 @@ VARIABLES = {
 
 
 WITHOUT_PHASE = ("film_amplitude", "film_error")
-"""Of starved contacts, whose law has no phase and no pressure."""
+"""Columns of starved contacts, whose law has no phase and no pressure."""
 
 
 class OneResponse(Protocol):

@@ -31,7 +31,7 @@ CLASSIFIED = IN_COLUMNS | OF_THE_SOLUTION | WITHOUT_EFFECT | OF_THE_HEAT | froze
 WORDS = ("edges", "load_balance", "viscosity_table", "oil_profile")
 """Keys whose values are text, besides the laws of the oil."""
 STRESSES = ("eyring_stress_pa", "carreau_modulus_pa")
-"""Of oils that shear thins."""
+"""Stresses of shear-thinning oils."""
 
 
 def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:

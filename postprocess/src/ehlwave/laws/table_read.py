@@ -12,6 +12,8 @@ written as exp(i qx x) with x counted on the surface along its motion.
 ``mean_rise``, which may be absent, is the rise of the mean film at the contact centre by such a
 wave of amplitude A, to second order: (mean film less smooth film)/film = ``mean_rise`` (A/film)^2.
 
+``transfer_error``, which may be absent, is the absolute error of the transfer.
+
 Other keys that a response depends on (:mod:`ehlwave.laws.table_keys`) are columns of their names;
 a table serves contacts whose keys are its own.
 """
@@ -32,6 +34,8 @@ from ehlwave.laws.table_keys import table_columns
 from ehlwave.laws.table_matching import refuse_two_responses
 
 CONDITION_COLUMNS = ("M", "L", "D")
+OPTIONAL = ("mean_rise", "transfer_error")
+"""Columns of numbers that a table need not have."""
 
 
 def read_table(path: str | Path) -> pd.DataFrame:
@@ -42,7 +46,8 @@ def read_table(path: str | Path) -> pd.DataFrame:
     pandas.DataFrame
         Columns ``M``, ``L``, ``D``, ``slip_parameter``, ``angle`` = arctan(lambda_x/lambda_y),
         ``log_wave`` = log(f(r) min(lambda)/a), ``transfer_real``, ``transfer_imag``, ``mean_rise``
-        (NaN where it is not known). Rows without a finite transfer are left out.
+        and ``transfer_error`` (NaN where they are not known). Rows without a finite transfer are
+        left out.
 
     Raises
     ------
@@ -102,7 +107,8 @@ def table_rows(raw: pd.DataFrame, place: str) -> pd.DataFrame:
     else:
         rows["transfer_real"], rows["transfer_imag"] = raw["amplitude_ratio"], 0.0
     finite = np.isfinite(rows.drop(columns="slip_parameter")).all(axis=1)
-    rows["mean_rise"] = raw.get("mean_rise", np.nan)
+    for column in OPTIONAL:
+        rows[column] = raw.get(column, np.nan)
     rows = rows.assign(**table_columns(raw, place))[finite]
     refuse_two_responses(rows, place)
     return rows
@@ -120,7 +126,7 @@ def _with_slip(raw: pd.DataFrame, place: str) -> pd.DataFrame:
 
 def _check_numbers(raw: pd.DataFrame, needed: list[str], place: str) -> None:
     """Refuse optional columns that are not numbers, and numbers that no contact or wave has."""
-    for column in ("slip_parameter", "mean_rise"):
+    for column in ("slip_parameter", *OPTIONAL):
         if column in raw and raw[column].dtype.kind not in "fiu":
             raise SurfaceError(f"{place}: column {column} does not hold numbers")
     slip = raw.get("slip_parameter", pd.Series(1.0)).to_numpy(float)

@@ -31,7 +31,7 @@ Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
 FILM_POWER = 0.67
-"""Of the viscosity, in the film."""
+"""Power of the viscosity in the film."""
 MOST_WARMTH = 3.0
 """From which on the error does not grow."""
 

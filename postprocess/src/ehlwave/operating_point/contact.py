@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from copy import copy
+from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ehlwave.choices import FILM_BY, WINDOWS, chosen
@@ -35,7 +37,10 @@ class Contact(WavyContact):
         An atlas file in place of the package's.
     heat : Heat, optional
         How oil and bodies conduct and store heat: film and friction are those with heat, by the
-        laws of :mod:`ehlwave.laws.heat_laws`. Waves stay isothermal, over the film with heat.
+        laws of :mod:`ehlwave.laws.heat_laws`.
+    table : path or DataFrame, optional
+        Harmonic table that answers for waves in place of the other laws, from ``ehlwave
+        harmonics``.
     **keys
         Keys of the input files of ``ehlwave-case``: dimensional data (``radius_x_m``,
         ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``, ``mean_speed_m_per_s``,
@@ -82,9 +87,10 @@ class Contact(WavyContact):
         Parameters
         ----------
         by : str, optional
-            A law's name: "atlas", "starved", "two-waves", "computed", "recommended" or "paper". By
-            default the first law that holds answers; where none does, the programs compute the
-            responses, if they are installed. "laws": nothing is computed.
+            A law's name: "table", "atlas", "starved", "two-waves", "computed", "recommended" or
+            "paper". By default a given table answers, else the first law that holds; where none
+            does, the programs compute the responses, if they are installed. "laws": nothing is
+            computed.
 
         Raises
         ------
@@ -125,7 +131,7 @@ class Contact(WavyContact):
         form, ends, cutoffs_m
             See :func:`ehlwave.surface.deform_surface`; ``cutoffs_m`` is (lambda_c, lambda_s).
         transfer : Transfer, optional
-            In place of a law of the list, such as :class:`ehlwave.surface.TableTransfer`.
+            In place of a law of the list.
         **reading
             Of :class:`ehlwave.surface.ReadOptions`, for data that the surface lacks.
 
@@ -218,7 +224,9 @@ class Contact(WavyContact):
         other = copy(self)
         other._given = second_conditions(self._given)
         other._heat = None if self.heat is None else self.heat.exchanged()
-        other._films, other._transfers = self._films, {}
+        other._questions, other._transfers = {}, {}
+        # The film is the same.
+        other._questions[None] = replace(other._asked(), films=self._asked().films)
         return other
 
     def _deformed(
@@ -347,8 +355,8 @@ class Contact(WavyContact):
         return found.statistics.lambda_ratio_after
 
 
-def contact_of(given: Given) -> Contact:
-    """Return the contact of an input file, or of words of a command line."""
-    contact = Contact(heat=given.heat, **given.keys)
+def contact_of(given: Given, table: Path | None = None) -> Contact:
+    """Return the contact of an input file, or of words of a command line; waves by a table."""
+    contact = Contact(heat=given.heat, table=table, **given.keys)
     contact._given = given.conditions
     return contact

@@ -23,11 +23,13 @@ from ehlwave.laws.film_answer import with_film
 from ehlwave.laws.heated_contact import check_heat
 from ehlwave.laws.law_list import film_for, transfer_for
 from ehlwave.laws.notices import warn
+from ehlwave.laws.table import harmonic_table_of
 from ehlwave.laws.transfer import Transfer
 from ehlwave.quantities import number
 from ehlwave.shown import html_table, within
 
 if TYPE_CHECKING:
+    import pandas as pd
     from typing_extensions import Self, Unpack
 
     from ehlwave.inputs.keys import ContactKeys
@@ -42,6 +44,7 @@ class SmoothContact:
         *,
         atlas: str | Path | None = None,
         heat: Heat | None = None,
+        table: str | Path | pd.DataFrame | None = None,
         **keys: Unpack[ContactKeys],
     ) -> None:
         """Check the keys and find M, L and D."""
@@ -52,7 +55,8 @@ class SmoothContact:
         self._eyring_stress_pa = None if stress is None else number(stress, "eyring_stress_pa")
         self._poisson_ratio: PoissonRatio | None = None
         self._heat = heat
-        self._films: dict[str | None, Film] = {}
+        self._table = None if table is None else harmonic_table_of(table)
+        self._questions: dict[float | None, Asked] = {}
         self._transfers: dict[tuple[float | None, str | None], Transfer] = {}
         if heat is not None:
             check_heat(self._given, heat)
@@ -96,7 +100,8 @@ class SmoothContact:
         """
         if self._given.has_given_film or self._given.metres_per_moes is None:
             return self._given
-        known = self._films.get(None) or self._films.get("computed")
+        films = self._asked().films
+        known = films.get(None) or films.get("computed")
         try:
             return with_film(self._given, known or self._film("laws"))
         except RangeError:
@@ -113,7 +118,8 @@ class SmoothContact:
         Parameters
         ----------
         **changes
-            Keys as of :class:`ehlwave.Contact`, ``heat`` or ``atlas``; None removes a key.
+            Keys as of :class:`ehlwave.Contact`, ``heat``, ``atlas`` or ``table``; None removes
+            a key.
 
         Examples
         --------
@@ -123,7 +129,8 @@ class SmoothContact:
         >>> contact.replace(load_parameter_m=200)
         Contact(M=200, L=10, D=1, S=1)
         """
-        own: dict[str, Any] = {"heat": self._heat, "atlas": self._atlas, **self._keys}
+        own: dict[str, Any] = {"heat": self._heat, "atlas": self._atlas}
+        own |= {"table": None if self._table is None else self._table.rows, **self._keys}
         if RATIO in changes:
             own.pop(SLIP, None)
         if SLIP in changes:
@@ -201,7 +208,7 @@ class SmoothContact:
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the state for pickling, without values that are recomputed when needed."""
-        return vars(self) | {"_films": {}, "_transfers": {}}
+        return vars(self) | {"_questions": {}, "_transfers": {}}
 
     def __repr__(self) -> str:
         """Return M, L, D and S, of a starved contact r."""
@@ -249,8 +256,11 @@ class SmoothContact:
 
     def _asked(self, slip: float | None = None) -> Asked:
         """Return the contact as input of laws, optionally at another slip."""
-        c = self._given if slip is None else replace(self._given, slip_parameter=slip)
-        return Asked(c, self._heat, self._own_atlas(), self._eyring_stress_pa)
+        if slip not in self._questions:
+            c = self._given if slip is None else replace(self._given, slip_parameter=slip)
+            own = self._own_atlas(), self._eyring_stress_pa, self._table
+            self._questions[slip] = Asked(c, self._heat, *own)
+        return self._questions[slip]
 
     def _transfer(self, slip: float | None, by: str | None) -> Transfer:
         chosen_or_none(by, "by", (*LAWS, *HOW))
@@ -260,9 +270,7 @@ class SmoothContact:
         return self._transfers[key]
 
     def _film(self, by: str | None) -> Film:
-        if by not in self._films:
-            self._films[by] = film_for(self._asked(), by)
-        return self._films[by]
+        return film_for(self._asked(), by)
 
     def film(self, by: str | None = None) -> Film:
         """Return central and smallest film of the smooth contact, and its friction.

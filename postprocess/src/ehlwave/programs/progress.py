@@ -12,7 +12,7 @@ from threading import Timer
 from typing import Literal
 
 Progress = Callable[[int, int, str], object]
-"""Called with what is done, the whole, and what is counted: ``(32, 88, "time step")``."""
+"""Called with the number done, the total, and the unit: ``(32, 88, "time step")``."""
 
 Following = Progress | Literal[False] | None
 """None: a bar in a notebook that has tqdm and ipywidgets, nothing elsewhere; False: nothing."""

@@ -19,7 +19,7 @@ NEEDED = {"x": ("x",), "y": ("y",)} | dict.fromkeys(FIELDS, ("y", "x"))
 """Fields that pictures are drawn from, with their dimensions."""
 
 FILM_SHOWN = 2.0
-"""Thickest film that is shown, over that of the smooth contact's centre: the inlet is far above."""
+"""Thickest film in the figure, over the smooth contact's central film: the inlet is far above."""
 
 REACH = 1.5
 """Largest distance from the centre that is shown, in units of a and b."""

@@ -20,7 +20,7 @@ UNITS = {
     "Pa^2": "Pa2",
     "MiB": "1048576 byte",
 }
-"""Units as UDUNITS reads them, where those of our files are others."""
+"""Units of UDUNITS, where our files have others."""
 
 _TYPES = (str, bytes, int, float, np.integer, np.floating, np.ndarray)
 

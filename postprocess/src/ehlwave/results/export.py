@@ -19,7 +19,7 @@ OF_FIELDS = {
     "film": ("hertz_approach_c_m", "m", "film thickness h"),
     "pressure": ("hertz_pressure_pa", "Pa", "pressure p"),
 }
-"""What fields are in units of; the unit and the name that they get."""
+"""Units of fields: the new unit and name."""
 
 
 def export(paths: list[Path], targets: dict[str, Path], writer: Writer) -> list[str]:

@@ -23,7 +23,7 @@ from ehlwave.writing import Writer
 X_LIMITS = (0.1, 100.0)
 Y_LIMITS = (0.0, 1.08)
 HIGHEST = 1.5
-"""To which the axis grows at most where error bars are long."""
+"""Largest extent of the axis where error bars are long."""
 X_LABELS: dict[Variable, str] = {"f_v": r"$f(r)\,V$", "f_v2": r"$f(r)\,V_2$"}
 FIGURE_NUMBERS: dict[Variable, int] = {"f_v2": 1, "f_v": 2}
 
@@ -234,7 +234,7 @@ def _finish_panel(axes: Axes, orientation: str) -> None:
     axes.set_yticks(np.arange(0, 1.01, 0.2))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.tick_params(which="both", direction="in", top=True, right=True)
-    axes.text(0.97, 0.94, orientation, transform=axes.transAxes, ha="right", va="top")
+    axes.text(0.95, 0.90, orientation, transform=axes.transAxes, ha="right", va="top")
 
 
 def _marker_style(marker: str, colour: str) -> dict[str, Any]:

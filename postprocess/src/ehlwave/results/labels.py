@@ -24,7 +24,7 @@ SHORT = {
     "edges": "",
     "response": "",
 }
-"""How labels name keys; the words of those without a name say themselves what they are."""
+"""Names of keys in labels; words of other keys explain themselves."""
 
 CHOSEN = ("cells_x", "cells_y", "deformation", "error_estimate")
 """Columns that vary by themselves: the program chooses them, or they are results of this name."""

@@ -27,8 +27,9 @@ REQUIRED_COLUMNS = (
 """Datasets this package computes with. Others are read, kept and exported when they are there."""
 
 PROVENANCE_ATTRIBUTES = ("program_version", "git_revision", "compiler")
-"""Kept with every case, so that results of different origin can be told apart: a column of this
-name, else the root attribute."""
+"""Kept with every case, to identify the origin of results: a column of this name, else the root
+attribute.
+"""
 
 ORIENTATIONS = ("transverse", "isotropic", "longitudinal")
 """The orientations of the paper, in the order of the panels of its Figures 1 and 2."""
@@ -48,7 +49,7 @@ INACCURATE = "inaccurate"
 """Solved, but with an estimated error above the accuracy that was asked for."""
 
 SETTLED = (CONVERGED, UNRESOLVED)
-"""Of results whose equations are solved, and from which no accuracy was asked that they miss."""
+"""Statuses of results whose equations are solved, and that reach any requested accuracy."""
 
 PENDING = "pending"
 FAILED = ("stalled", "diverged", "not_finite", "over_budget", "crashed")

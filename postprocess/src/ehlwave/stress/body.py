@@ -16,12 +16,13 @@ from ehlwave.stress.life import life_integral_ratio, life_ratio, share_at_risk
 Floats = NDArray[np.float64]
 
 INNER = 0.5
-"""In semi-axes: the ripple is judged where it is that of the centre, short of edges and spike."""
+"""In semi-axes: the ripple is judged where it matches the centre, short of edges and spike."""
 
 EDGE_SHARE = 0.5
-"""Relative error of what the ripple adds to Dang Van's factor: passages begin and end at the edges
-of the contact, where it is not known. Marches of 12 traces (D of 0.25 to 1, S of 0.7 to 1.5,
-amplitudes of 0.15 to 0.3 of the film) had 0.4 at most, beside the error of the smooth factor."""
+"""Relative error of the ripple's share of Dang Van's factor: passages begin and end at the edges of
+the contact, where it is unknown. Marches of 12 traces (D of 0.25 to 1, S of 0.7 to 1.5, amplitudes
+of 0.15 to 0.3 of the film) had 0.4 at most, beside the error of the smooth factor.
+"""
 
 
 @dataclass(frozen=True)
@@ -67,20 +68,20 @@ class BodyStress(Shown):
     dang_van_near: float
     dang_van_near_smooth: float
     """`near_m`, `dang_van_near`, `dang_van_near_smooth`: depth that the ripple reaches, and the
-    largest factors down to it: what micropitting is about. The largest of all is often that of the
-    smooth contact, deeper."""
+    largest factors down to it, relevant to micropitting. The largest of all is often the smooth
+    contact's, deeper."""
     share_at_risk: float
     """Share of the surface where the factor is 1 or more down to that depth."""
     life_ratio: float
-    """Life over that of the smooth contact, by Ioannides and Harris."""
+    """Life over the smooth contact's life, by Ioannides and Harris."""
     risk: xr.DataArray
-    """Dang Van's factor over depth and points, even ones alone."""
+    """Dang Van's factor over depth and points, of even numbers only."""
     smooth_over_depth: Floats
     ripple_over_depth_pa: Floats
     """`smooth_over_depth`, `ripple_over_depth_pa`: factor of the smooth contact, and largest shear
     of the ripple, over the depths of ``risk``."""
     path: Path
-    """Of the point of the largest factor, over its passage."""
+    """Path of the point of the largest factor, over its passage."""
 
     def _shown_rows(self) -> dict[str, str]:
         """Return the largest stresses, Dang Van's factor and the life."""

@@ -29,7 +29,7 @@ class SolvedContact:
     case: xr.Dataset
     """As :func:`ehlwave.read_case` reads it."""
     steps_m: tuple[float, float]
-    """Of the grid."""
+    """Steps of the grid."""
     scales_m: tuple[float, float]
     """a and b; 1 and b/a where the case has no lengths: all lengths are in units of a then."""
     has_lengths: bool

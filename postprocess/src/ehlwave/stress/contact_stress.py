@@ -6,7 +6,7 @@ from typing import Any, Protocol
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from ehlwave.choices import POISSON_RATIO
+from ehlwave.choices import FILM_BY, POISSON_RATIO
 from ehlwave.contact.conditions import Conditions
 from ehlwave.errors import RangeError
 from ehlwave.stress.loads import PoissonRatio
@@ -48,7 +48,7 @@ class OperatingPoint(Protocol):
     ) -> DeformedPair:
         """Return two measured surfaces as they are inside the contact."""
 
-    def film(self) -> SmoothFilm:
+    def film(self, by: str | None = None) -> SmoothFilm:
         """Return the film of the smooth contact."""
 
 
@@ -86,7 +86,7 @@ def stress_of_contact(
         deformed = [pair.first, pair.second]
     notes = []
     if friction is None:
-        friction = _friction(contact)
+        friction = _friction(contact, deforming.get("by"))
         if friction is None:
             notes.append(UNKNOWN_FRICTION)
     result = rough_stress(
@@ -96,11 +96,11 @@ def stress_of_contact(
     return result
 
 
-def _friction(contact: OperatingPoint) -> float | None:
-    """Return the friction coefficient as far as it is known; 0 in pure rolling."""
+def _friction(contact: OperatingPoint, by: str | None) -> float | None:
+    """Return the friction coefficient by the law asked for; 0 in pure rolling, None: not known."""
     if contact.conditions.slip_parameter == 1:
         return 0.0
     try:
-        return contact.film().friction
+        return contact.film(by if by in FILM_BY else None).friction
     except RangeError:
         return None

@@ -17,7 +17,7 @@ MOST_STEPS = 80
 """Points on one sphere can be exchanged for ever; the ball is right then."""
 
 ROUNDING = 1e-10
-"""Of the radius, the size of a step, and of the weight of a point."""
+"""Rounding of the radius, of the size of a step, and of the weight of a point."""
 
 
 class Ball(NamedTuple):

@@ -34,7 +34,9 @@ LINES: tuple[dict[str, Any], ...] = (
     {"color": COLOURS[0], "lw": 2.2},
     {"color": COLOURS[1], "lw": 1.2, "ls": "--"},
 )
-"""Of both bodies: the second is drawn on the first, and both are seen where they are one."""
+"""Styles of both bodies: the second is drawn on the first, and both are visible where they
+coincide.
+"""
 
 
 def section_figure(

@@ -11,7 +11,7 @@ Floats = NDArray[np.float64]
 Stresses = dict[str, Floats]
 
 NEARLY_CIRCULAR = 1e-4
-"""Of 1 - b/a: closer to a circle than this the forms of the ellipse lose their digits."""
+"""Limit of 1 - b/a: closer to a circle the forms of the ellipse lose their digits."""
 
 
 def hertz_pressure(

@@ -25,10 +25,11 @@ FALL = {1: 2, 2: 3}
 """Power of the period with which all images together fall, likewise."""
 
 BLUR = 1.5
-"""Of the loads of blocks, in blocks: so that they act as patches, not as waves to all sides."""
+"""Blur of the loads of blocks, in blocks: so that they act as patches, not as waves to all sides.
+"""
 
 DEGREE = 8
-"""Of the polynomials between blocks: the nearest image is as far as the grid is long."""
+"""Degree of the polynomials between blocks: the nearest image is as far as the grid is long."""
 
 
 def coarse_factor(count: int) -> int:

@@ -18,7 +18,7 @@ SAME_STEP = 1e-6
 
 
 PoissonRatio = float | tuple[float, float]
-"""Of both bodies, or of the first and of the other one."""
+"""Value for both bodies, or for the first and the second."""
 
 DEEPEST = 100.0
 """Semi-axes a: stresses of the contact are below a thousandth there, of lines below a hundredth."""
@@ -31,9 +31,9 @@ class Load:
     fields: dict[str, Floats]
     """By kind, as the keys of :data:`ehlwave.stress.waves.LOADS`, Pa; shape shape (nx, ny)."""
     steps_m: tuple[float, float]
-    """Of the grid."""
+    """Steps of the grid."""
     poisson_ratio: float
-    """Of the body."""
+    """Poisson's ratio of the body."""
     periodic: tuple[bool, bool]
     """Whether the load repeats along x, along y."""
     x_m: Floats

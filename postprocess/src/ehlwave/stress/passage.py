@@ -25,7 +25,7 @@ EDGE_POWER = 1 / 8
 
 
 SLICES = 400
-"""Of the contact along rolling, where the ripple is added up."""
+"""Slices of the contact along rolling, over which the ripple is summed."""
 
 
 def edge_factor(x_over_a: Floats, y_over_b: Floats | float = 0.0) -> Floats:

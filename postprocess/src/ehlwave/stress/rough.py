@@ -39,7 +39,7 @@ REACH = 2.0
 """Over the mean wave number of the pressure: depth where a third of the shear of a wave is left."""
 
 DEPTHS = 10
-"""That are chosen where none are given."""
+"""Number of depths chosen by default."""
 
 
 @dataclass(frozen=True, repr=False)

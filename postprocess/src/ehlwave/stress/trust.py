@@ -8,8 +8,9 @@ from ehlwave.surface.ripple import hertz_pressure_of
 from ehlwave.surface.rough_pressure import Ripple
 
 MODEL_ERROR = 0.05
-"""Relative: waves of the centre stand for those of the whole contact, and Hertz for its pressure;
-against linear responses and marches of whole contacts."""
+"""Relative: waves of the centre and Hertz pressure replace the whole contact; against linear
+responses and marches of whole contacts.
+"""
 
 LINEAR_LIMIT = 0.3
 """Amplitude over film up to which the prediction is held to marches."""

@@ -33,7 +33,7 @@ COMPONENTS = ("sxx", "syy", "szz", "sxy", "syz", "sxz")
 """The stresses, tension positive, in the order of datasets."""
 
 Factor = Callable[["Directions", Any, float], Any]
-"""Of directions, s = kz and Poisson's ratio: a factor of the table above, the -i apart."""
+"""Function of directions, s = kz and Poisson's ratio: a factor of the table above, without -i."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ TRACTION_X: dict[str, tuple[bool, Factor]] = {
     "syz": (False, lambda d, s, nu: -d.u * d.v * s),
     "sxz": (False, lambda d, s, nu: 1 - d.uu * s),
 }
-"""The same of traction along x."""
+"""Factors of traction along x."""
 
 _OTHER_AXIS = {"sxx": "syy", "syy": "sxx", "syz": "sxz", "sxz": "syz"}
 
@@ -82,7 +82,7 @@ def _exchanged(name: str) -> tuple[bool, Factor]:
 
 
 TRACTION_Y = {name: _exchanged(name) for name in COMPONENTS}
-"""The same of traction along y."""
+"""Factors of traction along y."""
 
 LOADS = {"pressure_pa": PRESSURE, "traction_x_pa": TRACTION_X, "traction_y_pa": TRACTION_Y}
 """Factors by kind of load."""

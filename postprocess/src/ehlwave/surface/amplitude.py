@@ -22,7 +22,7 @@ SLIP_FACTORS = (68.0, 18.0)
 with S > 1, of others. Those of ``src/case/linear_range.f90``, with which a test compares them."""
 
 ROUNDING = 1e-9
-"""Of S, where S - 1 is compared."""
+"""Rounding of S, where S - 1 is compared."""
 
 PROFILE_FACTOR = 0.28
 """Relative difference of predicted from marched Rq over (amplitude/film)^2: 95 % of the rough maps
@@ -37,14 +37,15 @@ RISE_ERRORS = {
     "line_sliding": 0.15,
     "line_newtonian": 0.242,
 }
-"""Of the rise of the mean film over the film, per (amplitude/film)^2: 95 % of the waves in contacts
-that the networks have not seen (``scripts/study atlas --validate``)."""
+"""Error of the rise of the mean film over the film, per (amplitude/film)^2: 95 % of the waves in
+contacts that the networks have not seen (``scripts/study atlas --validate``).
+"""
 
 LOWEST_WIDTH = 0.39
 """Width of :func:`lowest_film` over the film (``record/lambda``)."""
 
 LARGEST_RISE = 0.5
-"""Of the film: a larger change in second order says that the series does not hold."""
+"""Share of the film: a larger change in second order means that the series does not hold."""
 
 
 def validated_amplitude(conditions: Conditions) -> float:

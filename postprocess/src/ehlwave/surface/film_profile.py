@@ -19,7 +19,7 @@ Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
 LEAST_SHARE = 1e-10
-"""Of the mean square of a surface: components below it are left out of profiles."""
+"""Share of the mean square of a surface: smaller components are left out of profiles."""
 
 AT_ONCE = 2**20
 """Components times places that are held at a time."""

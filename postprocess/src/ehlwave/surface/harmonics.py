@@ -27,7 +27,8 @@ def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
     -------
     pandas.DataFrame
         Columns as for :func:`ehlwave.laws.table_read.read_table`, sorted; a wavelength of 0 means
-        no variation. ``mean_rise`` where linear responses have it.
+        no variation. ``mean_rise`` where linear responses have it, ``transfer_error`` where the
+        results have error estimates.
     """
     d = points["radius_ratio_d"].values
     kappa = np.array([ellipticity(float(value)) for value in d])
@@ -42,6 +43,8 @@ def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
     }
     carried = carried_columns(points)
     columns = keys | carried | {"transfer_real": transfer.real, "transfer_imag": transfer.imag}
+    if "error_estimate" in points:
+        columns["transfer_error"] = points["error_estimate"].values * np.abs(transfer)
     if "mean_film_rise" in points:
         columns["mean_rise"] = _mean_rise(points)
     table = pd.DataFrame(columns).sort_values(list(keys), ignore_index=True)

@@ -14,7 +14,7 @@ FARTHEST = 20.0
 """Ranges of all other heights by which no height of a surface lies outside them."""
 
 LARGEST_SHARE = 0.1
-"""Of heights that may be filled, or stand outside."""
+"""Share of heights that may be filled, or are outliers."""
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from ehlwave.errors import SurfaceError
 from ehlwave.surface.surface import Surface
 
 BLENDED_SHARE = 0.25
-"""Of the period: what its end takes over from the wave before."""
+"""Share of the period in which its end fades into the wave before."""
 
 
 def cut_period(surface: Surface, length_m: float, start_m: float | None = None) -> Surface:

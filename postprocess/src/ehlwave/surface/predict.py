@@ -13,7 +13,9 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.line_contact import TRANSVERSE_ALONE
 from ehlwave.errors import SurfaceError
 from ehlwave.extras import load
-from ehlwave.laws.transfer import FormulaBasis, FormulaTransfer, Transfer
+from ehlwave.laws.asked import Asked
+from ehlwave.laws.law_list import transfer_for
+from ehlwave.laws.transfer import FormulaBasis, Transfer
 from ehlwave.quantities import number, plain
 from ehlwave.shown import Shown, micrometres, within
 from ehlwave.surface.prepare import Form, Window, extended, judged_part, remove_form
@@ -201,7 +203,7 @@ def deform_surface(
     >>> found.height.shape == trace.height.shape
     True
     """
-    chosen = transfer or FormulaTransfer(conditions)
+    chosen = transfer or transfer_for(Asked(conditions), "paper")
     checked_surface(surface)
     _check_scale(surface, conditions)
     flat = remove_form(surface, form)

@@ -23,7 +23,7 @@ from ehlwave.choices import FORMS, WINDOWS, Form, Window, chosen
 from ehlwave.surface.surface import Heights, Surface
 
 TAPERED_SHARE = 0.1
-"""Of the length, at each end."""
+"""Share of the length, at each end."""
 
 
 def remove_form(surface: Surface, form: Form) -> Surface:

@@ -12,7 +12,7 @@ from ehlwave.extras import install
 from ehlwave.inputs.surfaces import TopographyLike
 
 MOST_POINTS = 100_000_000
-"""In a file; what claims more is refused before memory is asked for."""
+"""In a file; a larger claim is refused before memory is allocated."""
 
 METRE = "m"
 
@@ -34,13 +34,13 @@ class RawSurface:
     is_across: bool = False
     """Whether a trace is known to run along y of its file."""
     has_decimal_commas: bool = False
-    """Whether commas were taken as decimal ones."""
+    """Whether commas were read as decimal commas."""
     notes: list[str] = field(default_factory=list)
-    """How the file was read: its format, channel, columns, what was left out."""
+    """How the file was read: its format, channel, columns, parts left out."""
 
 
 SurfaceSource = str | Path | NDArray[Any] | TopographyLike
-"""What a surface is read from."""
+"""Sources of a surface."""
 
 
 def is_topography(source: object) -> TypeGuard[TopographyLike]:

@@ -29,7 +29,7 @@ from ehlwave.surface.surface import (
 from ehlwave.surface.units import metres
 
 LARGEST_STEP_DIFFERENCE = 1e-3
-"""Relative, of a step that is given and that of the file."""
+"""Relative, between a given step and the file's."""
 
 LONGEST_M, LONGEST_STEP_M, SMALLEST_STEP_M = 10.0, 0.01, 1e-12
 """Lengths that no measured surface exceeds, and the step that none falls below."""

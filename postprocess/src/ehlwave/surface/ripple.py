@@ -23,11 +23,12 @@ Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 USUAL_ERROR = 0.02
-"""Of the response, units of the amplitude, where the transfer does not say it."""
+"""Error of the response, units of the amplitude, where the transfer has none."""
 
 LARGEST_UPSTREAM = 0.1
-"""Units of the amplitude: what the error of the complementary wave may grow to upstream of the
-centre. Where it decays fast it is not known there, and taken no larger."""
+"""Units of the amplitude: limit of the error of the complementary wave upstream of the centre.
+Where the wave decays fast its error is unknown there, and limited to this.
+"""
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,7 @@ class PressureWaves:
     film: tuple[Complex, Complex]
     """Film of both over the amplitude: a and c."""
     error: Floats
-    """Of their sum by the error bar of the response, Pa/m."""
+    """Error of their sum by the error bar of the response, Pa/m."""
     most_growth: Floats
     """By how much the complementary wave is larger upstream, at most."""
 

@@ -21,7 +21,7 @@ LINES = 5
 """Lines along rolling on which a map is judged, evenly spread."""
 
 LEAST_SHARE = 1e-6
-"""Of the mean square of amplitude times wave number: what is left out of it, the smallest waves."""
+"""Share of the mean square of amplitude times wave number: the smallest waves, left out."""
 
 
 class Predicted(Protocol):
@@ -57,10 +57,11 @@ class Ripple(Shown):
     """`points`, `measured`: points of that length, and how many of them, the first, are the surface
     as it was measured."""
     amplitude: Complex
-    """Of the gap, m; those with kx above 0 stand for themselves and their conjugates; shape shape
-    (kx, ky)."""
+    """Amplitudes of the gap, m; waves with kx above 0 represent themselves and their conjugates;
+    shape (kx, ky).
+    """
     waves: PressureWaves
-    """Of the same shape."""
+    """Waves, of the same shape."""
     lines_m: Floats
     """Places across rolling that are judged."""
 

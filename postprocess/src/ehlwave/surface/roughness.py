@@ -17,7 +17,7 @@ ALPHA = math.sqrt(math.log(2) / math.pi)
 """Half of a wave as long as the cut-off is transmitted."""
 
 SECTIONS = 5
-"""Of the evaluation length, where no cut-off says how long they are."""
+"""Sections of the evaluation length, where no cut-off sets their length."""
 
 NOTHING_M = 1e-15
 """Heights that differ by less are equal but for rounding: a hundred thousandth of an atom."""

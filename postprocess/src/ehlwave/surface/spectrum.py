@@ -17,7 +17,7 @@ NAMED_COMPONENTS = 5
 """How many of the largest components that cannot be judged are named one by one."""
 
 NEGLIGIBLE_SHARE = 1e-9
-"""Of the mean square: below it a class of components is rounding, not surface."""
+"""Share of the mean square: below it a class of components is rounding, not surface."""
 
 
 @dataclass(frozen=True, repr=False)

@@ -30,11 +30,11 @@ class FilmStatistics:
     rz_after_m: float
     """`rz_before_m`, `rz_after_m`: from the lowest to the highest point."""
     mean_film_m: float | None = None
-    """Of the rough contact's centre: the smooth central film and `mean_rise_m`, where it is
-    used."""
+    """Film at the rough contact's centre: the smooth central film and `mean_rise_m`, if used."""
     mean_rise_m: float | None = None
-    """What the roughness adds to the mean film, to second order. None: the transfer has no rises,
-    or the amplitude is above those that rises were compared with."""
+    """Rise of the mean film by the roughness, to second order. None: the transfer has no rises, or
+    the amplitude is above their tested range.
+    """
     minimum_film_m: float | None = None
     """At the highest deformed point, by :func:`ehlwave.surface.amplitude.lowest_film`: marches have
     more there than the mean film less that point. None where that is not above 0."""
@@ -43,11 +43,12 @@ class FilmStatistics:
     lambda_ratio_before: float | None = None
     lambda_ratio_after: float | None = None
     """`lambda_ratio_before`, `lambda_ratio_after`: mean film over Rq before (the usual ratio) and
-    after (what is there in the contact)."""
+    after (in the contact)."""
     lambda_errors: dict[str, float] | None = None
-    """Relative errors of `lambda_ratio_after` by ``"film"``, the smooth one, ``"responses"``, the
-    linear ones, ``"amplitude"``, what is not linear, and ``"rise"``. A rise that is not used counts
-    in full. None: the transfer has no errors."""
+    """Relative errors of `lambda_ratio_after` by ``"film"``, the smooth film, ``"responses"``, the
+    linear responses, ``"amplitude"``, the nonlinear part, and ``"rise"``. A rise that is not used
+    counts in full. None: the transfer has no errors.
+    """
     lambda_error: float | None = None
     """Their sum."""
     amplitude_over_film: float | None = None

@@ -13,6 +13,6 @@ def case():
 
 
 def accept():
-    """Become the check that ehlwave-case computes what it should."""
+    """Check the results of ehlwave-case."""
     script = BIN.parent/"share"/"ehlwave"/"scripts"/"accept"
     os.execv(sys.executable, [sys.executable, script, *sys.argv[1:]])

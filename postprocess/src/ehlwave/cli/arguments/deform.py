@@ -4,8 +4,8 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from ehlwave.choices import HOW, LAWS, WINDOWS
-from ehlwave.cli.arguments.shared import add_overwrite, add_reading, later
+from ehlwave.choices import WINDOWS
+from ehlwave.cli.arguments.shared import add_laws, add_overwrite, add_reading, later
 from ehlwave.cli.command_line import add_ratio
 
 DESCRIPTION = """\
@@ -147,19 +147,9 @@ def _add_prediction(parser: argparse.ArgumentParser) -> None:
         metavar="UM",
         help="lambda_s, um: shorter waves are left out as noise",
     )
-    source = parser.add_mutually_exclusive_group()
+    source = add_laws(parser, "--formula")
     source.add_argument(
         "--refit", type=Path, metavar="FILE", help="coefficients from refit.csv or refit.json"
-    )
-    source.add_argument(
-        "--by",
-        "--formula",
-        choices=(*LAWS, *HOW),
-        help="law that judges the components; by default the first that holds, and where none does "
-        "the contact is computed. 'laws': nothing is computed",
-    )
-    source.add_argument(
-        "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the atlas"
     )
     parser.add_argument(
         "--second",

@@ -4,8 +4,15 @@ import argparse
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
-from ehlwave.choices import DECIMALS, FORM, FORMS
+from ehlwave.choices import DECIMALS, FORM, FORMS, HOW, LAWS
+
+BY = (
+    "law that answers; by default the first that holds, and where none does the contact is "
+    "computed. 'laws': nothing is computed"
+)
+"""Help of the option that names a law."""
 
 Run = Callable[[argparse.Namespace], None]
 
@@ -71,3 +78,13 @@ def add_reading(parser: argparse.ArgumentParser) -> None:
         default=FORM,
         help="polynomial to remove: nothing, offset, tilt (default), tilt and curvature",
     )
+
+
+def add_laws(parser: argparse.ArgumentParser, *names: str) -> Any:  # noqa: ANN401 - a private type
+    """Add the options that choose a law for waves; return their group, for others."""
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument("--by", *names, choices=(*LAWS, *HOW), help=BY)
+    group.add_argument(
+        "--table", type=Path, metavar="FILE", help="harmonic table that answers for waves"
+    )
+    return group

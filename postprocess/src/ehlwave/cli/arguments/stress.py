@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.choices import POISSON_RATIO, WINDOWS
-from ehlwave.cli.arguments.shared import add_overwrite, add_reading, later
+from ehlwave.cli.arguments.shared import add_laws, add_overwrite, add_reading, later
 from ehlwave.cli.command_line import add_ratio
 
 DESCRIPTION = """\
@@ -78,6 +78,7 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
     parser.add_argument(
         "--body", type=int, choices=(1, 2), help="of a case: whose stress is drawn and written; 1"
     )
+    add_laws(parser)
     add_reading(parser)
     parser.add_argument(
         "--ends", choices=WINDOWS, default=WINDOWS[0], help="what is done about the ends of FILE"

@@ -4,13 +4,14 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from ehlwave.choices import TRACTION_RATIOS
-from ehlwave.cli.arguments.shared import add_overwrite, later
+from ehlwave.choices import FILM_BY, TRACTION_RATIOS
+from ehlwave.cli.arguments.shared import BY, add_overwrite, later
 
 DESCRIPTION = """\
 Friction over the slide-to-roll ratio of a smooth contact, and its temperatures: isothermal, with
 heat where the input has &heat, and with a limit of the stress where it has
-shear_limit_over_pressure. Runs ehlwave-sweep."""
+shear_limit_over_pressure. The laws answer where they hold, with errors; ehlwave-sweep elsewhere,
+for limits, and for inputs that name a grid or an accuracy."""
 
 EPILOG = """\
 CASE is an input file of ehlwave-case with dimensional conditions; its slide-to-roll ratio is
@@ -43,6 +44,7 @@ def add_traction_command(commands: Any) -> None:  # noqa: ANN401 - argparse does
         metavar="RATIO",
         help="slide-to-roll ratios; default: 0.0002 to 1.8",
     )
+    parser.add_argument("--by", choices=FILM_BY, help=BY)
     parser.add_argument("--ranks", type=int, default=1, metavar="N", help="MPI ranks; 1")
     parser.add_argument("--output", type=Path, metavar="DIR", help="write table and figure there")
     add_overwrite(parser)

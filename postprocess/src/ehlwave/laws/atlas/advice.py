@@ -40,11 +40,11 @@ _DIGITS = 3
 _TRIED = 200
 """Values of an interval at which limits are looked at."""
 _HALVINGS = 6
-"""Of the step between two of them, by which an end is found."""
+"""Halvings of the step between two of them, to find an end."""
 _SHARES = (0.0, 0.1, 0.2, 0.3, 0.4)
-"""Of the ranges, left free at their ends in turn, until a contact is inside all limits."""
+"""Shares of the ranges, left free at their ends in turn, until a contact is inside all limits."""
 _LARGEST_CHANGE = 1e3
-"""Of one quantity; beyond it the smallest change of several is said."""
+"""Largest advised change of one quantity; beyond it the advice changes several."""
 
 
 def refuse_outside(contact: Conditions, kind: Kind) -> None:

@@ -83,7 +83,7 @@ class Chart:
         Parameters of the contact, for the kind: :mod:`ehlwave.laws.atlas.ranges`.
     film_loss : float
         Relative thinning of the film against the atlas, for a shear-thinning oil and an atlas
-        without thinning. Errors of films count it once, those of responses
+        without thinning. Errors of films count it once, errors of responses
         :data:`RESPONSE_BY_FILM` times.
     thinned : Chart, optional
         Chart of the same contact in an atlas with thinning: films come from it, and the thinning is

@@ -24,7 +24,7 @@ CENTRE = (1000.0, 10.0, 0.1)
 """M, L and D of which the logarithms count."""
 DEGREE = 3
 LARGEST_M = 12000.0
-"""Of the computed contacts."""
+"""Largest M of the computed contacts."""
 
 
 @cache

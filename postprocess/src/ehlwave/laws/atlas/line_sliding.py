@@ -21,7 +21,7 @@ LINE_SLIDING_RANGES = LINE_RANGES | {
 }
 """Smallest and largest value of each key of a line contact that slides, of a Ree-Eyring oil.
 
-They are what its networks were fitted to, whatever the ranges of ellipses are.
+Its networks were fitted to these, independent of the ranges of ellipses.
 """
 
 

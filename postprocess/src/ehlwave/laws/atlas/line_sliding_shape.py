@@ -21,7 +21,7 @@ class LineSlidingShape(SlidingShape, LineShape):
 
     WAVE_AND_X = (1, 0)
     CONDITIONS_OF = staticmethod(line_conditions_of)
-    """What makes conditions of keys."""
+    """Conversion of keys to conditions."""
 
     @classmethod
     def of_keys(cls, keys: Mapping[str, ArrayLike]) -> "LineSlidingShape":

@@ -24,11 +24,11 @@ class Networks:
         self.films = committee_of(data, "films")
         """Return the films that the kind names, by the coordinates of contacts."""
         self.waves = committee_of(data, "waves")
-        """Numbers of waves, by their coordinates after those of their contacts."""
+        """Numbers of waves, by their coordinates after the coordinates of their contacts."""
         self.film_errors = errors_of(data, "film_errors")
-        """Errors of what is known of contacts, by their coordinates."""
+        """Errors of the data of contacts, by their coordinates."""
         self.errors = errors_of(data, "wave_errors")
-        """Errors of film responses, shape (n, 1), by the same as their numbers."""
+        """Errors of film responses, shape (n, 1), by the coordinates of their numbers."""
 
     @property
     def name(self) -> str:

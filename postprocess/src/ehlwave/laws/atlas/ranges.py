@@ -14,23 +14,24 @@ WIDE_RANGES = CONTACT_RANGES | {
     "lubricant_parameter_l": (2.0, 42.0),
     "radius_ratio_d": (0.01, 1.0),
 }
-"""The same of contacts that roll beyond them, as of ball bearings."""
+"""Wider ranges of rolling contacts, such as ball bearings."""
 
 THINNEST_FILM, THICKEST_FILM = 0.0015, 2.5
-"""H of the formula, film over Hertz approach, beyond them: thinner ones have steep inlets,
-thicker ones hardly deform bodies."""
+"""H of the formula, film over Hertz approach, in the wider ranges: thinner films have steep inlets,
+thicker films hardly deform bodies.
+"""
 
 LARGEST_ALPHABAR = 160.0
 """Alpha times the Hertz pressure, beyond them: oils of more hardly flow."""
 
 LARGEST_PRESSURE_PA = 1e10
-"""Of Hertz, beyond them: more is of no contact."""
+"""Largest Hertz pressure of the wider ranges: above any contact."""
 
 WAVE_RANGE = (0.1, 4.0)
 """Wavelength along the wave vector over a; directions are all there are."""
 
 LARGEST_LINE_ALPHABAR = 500.0
-"""The same of line contacts."""
+"""Largest alphabar of line contacts."""
 
 LINE_RANGES = {
     "load_parameter_m": (0.4, 2000.0),
@@ -38,13 +39,13 @@ LINE_RANGES = {
     "pressure_viscosity_per_pa": CONTACT_RANGES["pressure_viscosity_per_pa"],
     "roelands_index": CONTACT_RANGES["roelands_index"],
 }
-"""The same of line contacts, whose M is that of a load per length."""
+"""Ranges of line contacts, whose M is defined by a load per length."""
 
 SLIDING_RANGES = CONTACT_RANGES | {
     "slip_parameter": (0.5, 1.5),
     "stress_modulus_pa2": (1.936e17, 9.68e18),
 }
-"""The same of contacts that slide, of a Ree-Eyring oil: besides S of the rough surface, E' tau0.
+"""Ranges of sliding contacts with a Ree-Eyring oil: also S of the rough surface, E' tau0.
 
 The latter alone counts of both: 0.88 to 44 MPa between steel bodies.
 """
@@ -55,7 +56,7 @@ SLIDING_WIDE_RANGES = WIDE_RANGES | {
     "slip_parameter": (0.0, 2.0),
     "stress_modulus_pa2": (1.936e16, 9.68e19),
 }
-"""The same of contacts that slide beyond them: E' tau0 ten times as far on either side."""
+"""Wider ranges of sliding contacts: E' tau0 ten times as far on either side."""
 
 MOST_THINNING, THINNEST_SLIDING_FILM = 100.0, 0.004
 """Newtonian shear stress in the inlet over the Eyring stress, T, and H (1 + T)^(-1/4), about the

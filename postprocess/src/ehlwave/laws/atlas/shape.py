@@ -81,7 +81,7 @@ class Shape:
     """
 
     OF_ALL: tuple[str, ...] = ()
-    """Names of what is not of each contact."""
+    """Names of variables that are not per contact."""
 
     def __init__(self, m: ArrayLike, l: ArrayLike, d: ArrayLike) -> None:  # noqa: E741
         """Compute the values that follow from M, L and D."""

@@ -17,10 +17,10 @@ from ehlwave.laws.atlas.ranges import SLIDING_RANGES
 from ehlwave.laws.atlas.rolling import ROLLING, rolling_chart
 
 STRESS_POINTS = 24
-"""Of the quadrature over the Hertz contact."""
+"""Points of the quadrature over the Hertz contact."""
 
 MODULUS_PA = 2.2e11
-"""Of steel bodies. Of E' and the Eyring stress their product alone counts."""
+"""Modulus of steel bodies. Only the product of E' and the Eyring stress matters."""
 
 
 def sliding_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:

@@ -24,7 +24,7 @@ from ehlwave.laws.atlas.shape import Seen, Shape
 from ehlwave.laws.atlas.sliding import conditions_of
 
 STANDING = 1e4
-"""Wavelength along X, in units of a, of waves that hardly move: those of 90 degrees."""
+"""Wavelength along X, in units of a, of waves that hardly move: 90 degrees."""
 
 
 class SlidingShape(Shape):

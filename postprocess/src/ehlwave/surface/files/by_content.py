@@ -18,7 +18,7 @@ from ehlwave.surface.raw_surface import RawSurface, numbers_of, refuse_large
 _OWN = {".csv", ".txt", ".asc", ".tsv", ".prf", ".h5", ".hdf5", ".nc", ".npy", ".npz"}
 ARRAYS = ("height", "x", "y")
 _HEAD = 4096
-"""Bytes by which text is told from other data."""
+"""Bytes that distinguish text from other data."""
 
 
 def raw_file(file: Path, decimal: Decimal | None, channel: str | None = None) -> RawSurface:

@@ -8,7 +8,7 @@ from ehlwave.errors import SurfaceError, printable
 from ehlwave.surface.files.words import heading_of
 
 _PLAIN = ("default", "channel", "data", "main", "raw")
-"""Names that say nothing."""
+"""Names without information."""
 
 
 def chosen_channel(file: Path, channels: Sequence[Any], wanted: str | None = None) -> Any:  # noqa: ANN401

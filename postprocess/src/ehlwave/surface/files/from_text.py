@@ -15,7 +15,7 @@ from ehlwave.surface.surface import is_uniform
 from ehlwave.surface.units import metres
 
 FEWEST_OF_MAP = 8
-"""Columns of a matrix of heights; fewer are columns that want headings."""
+"""Columns of a matrix of heights; fewer columns need headings."""
 
 
 def raw_text(file: Path, decimal: Decimal | None, channel: str | None = None) -> RawSurface:

@@ -50,7 +50,7 @@ SHIFT_JIS_WORDS = (
     *(word for words in _IDEOGRAMS.values() for word in words),
     *("間隔", "単位", "測定", "ピッチ"),
 )
-"""Words by which a text in Shift-JIS is told from one in Latin-1."""
+"""Words that distinguish a text in Shift-JIS from Latin-1."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-# Of a Spack repository of its own:
+# In a Spack repository of its own:
 #     spack repo add EHLWAVE/scripts/packaging/spack
 #     spack dev-build --source-path EHLWAVE ehlwave@0.2.0          or, of a variant:  ehlwave@0.2.0 +petsc
 # dev-build takes the source from a checkout or an unpacked release. For `spack install` give an archive's address (file:// too)
@@ -57,15 +57,16 @@ class Ehlwave(CMakePackage, PythonExtension):
             self.define_from_variant("EHLWAVE_NATIVE", "native"),
             self.define("EHLWAVE_TESTS", self.run_tests),
             self.define("CMAKE_REQUIRE_FIND_PACKAGE_PETSc", self.spec.satisfies("+petsc")),
-            self.define("HDF5_PREFER_PARALLEL", self.spec.satisfies("^hdf5+mpi")),   # where both are, as in Debian, take that one
+            self.define("HDF5_PREFER_PARALLEL", self.spec.satisfies("^hdf5+mpi")),   # if both exist, as in Debian
         ]
         if self.spec.satisfies("+python"):
             args.append(self.define("EHLWAVE_INSTALL_PYTHONDIR", os.path.relpath(python_purelib, self.prefix)))
         return args
 
     def check(self):
-        """The unit tests, then `accept`: seconds. The others are for developers: they start mpirun, want Python packages
-        at build time, may fetch some into the source, and take for granted what a packager may choose."""
+        """The unit tests, then `accept`: seconds. The others are for developers: they start mpirun, need Python
+        packages at build time, may fetch some into the source, and assume choices of a packager.
+        """
         with working_dir(self.build_directory):
             ctest("--label-regex", "^unit$", "--output-on-failure")
 

@@ -1,5 +1,5 @@
 !> The oil that a case offers to its contact: what it may be asked with, and its profile across.
-module ehlwave_inlet_plan
+module ehlwave_oil_offer_plan
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: case_file_t, note_digest
    use ehlwave_conditions, only: conditions_t
@@ -9,12 +9,12 @@ module ehlwave_inlet_plan
    use ehlwave_kinds, only: dp
    use ehlwave_number_file, only: read_number_table
    use ehlwave_number_table, only: number_table_t
-   use ehlwave_resolution, only: add_reason, resolution_t
    use ehlwave_rheology, only: rheology_t
+   use ehlwave_starvation_keys, only: starvation_keys_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: check_inlet, expected_oil, judge_lanes, plan_inlet
+   public :: check_inlet, expected_oil, narrow_lane_text, read_oil
 
    real(dp), parameter :: least_oil = 1e-4_dp     !! over flooded, where a profile has none at Y = 0
    real(dp), parameter :: fewest_cells = 2        !! across a ridge or dry lane of a profile that resolve it
@@ -27,14 +27,16 @@ contains
       type(case_t), intent(in) :: case
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: given
+      type(starvation_keys_t) :: keys
       logical :: has_pattern
 
+      keys = case%effects%starvation
       given = ''
-      if (case%oil_over_flooded > 0) given = '&inlet oil_over_flooded = '//to_text(case%oil_over_flooded, 6)//': '
-      if (case%oil_layer_m > 0) given = '&inlet oil_layer_m = '//to_text(case%oil_layer_m, 6)//': '
+      if (keys%oil_over_flooded > 0) given = '&inlet oil_over_flooded = '//to_text(keys%oil_over_flooded, 6)//': '
+      if (keys%oil_layer_m > 0) given = '&inlet oil_layer_m = '//to_text(keys%oil_layer_m, 6)//': '
       if (given == '') return
       has_pattern = case%is_wavy() .or. case%is_measured()
-      if (case%oil_layer_m > 0 .and. .not. case%is_dimensional) then
+      if (keys%oil_layer_m > 0 .and. .not. case%is_dimensional) then
          call raise(error, given//'metres need dimensional conditions (radius_x_m, ...); give oil_over_flooded in '// &
                     'place of it')
       else if (.not. any(case%method == ['newton', 'auto  '])) then
@@ -52,17 +54,17 @@ contains
       else if (case%time_step_over_cell > 1) then
          call raise(error, given//'&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &
                     ' is above 1: oil in partly filled gaps goes from node to node; use 1, 0.5, 0.25, ...')
-      else if (abs(case%oil_change_factor - 1) > 0 .and. has_pattern .and. case%response == 'harmonic') then
+      else if (abs(keys%oil_change_factor - 1) > 0 .and. has_pattern .and. case%response == 'harmonic') then
          call raise(error, "&inlet oil_change_factor: response = 'harmonic' takes no time steps: use 'transient'")
-      else if (abs(case%oil_change_factor - 1) > 0 .and. abs(case%slip_parameter - 1) > 0) then
+      else if (abs(keys%oil_change_factor - 1) > 0 .and. abs(case%slip_parameter - 1) > 0) then
          call raise(error, '&inlet oil_change_factor: a change of the layer needs pure rolling, '// &
                     'slip_parameter = 1: under slip the layers of the two surfaces change apart')
       end if
    end subroutine check_inlet
 
    !> The oil offered. Fails on a profile that cannot be used.
-   subroutine plan_inlet(case, conditions, inlet, files, error)
-      type(case_t), intent(in) :: case
+   subroutine read_oil(keys, conditions, inlet, files, error)
+      type(starvation_keys_t), intent(in) :: keys
       type(conditions_t), intent(in) :: conditions
       type(inlet_oil_t), intent(out) :: inlet
       type(case_file_t), intent(inout) :: files(:)
@@ -70,10 +72,10 @@ contains
       type(number_table_t) :: table
       integer :: share, y
 
-      inlet%over_flooded = case%oil_over_flooded
-      if (case%oil_layer_m > 0) inlet%layer = case%oil_layer_m/conditions%c_m
-      if (case%oil_profile == '' .or. .not. inlet%is_short()) return
-      call read_number_table(trim(case%oil_profile), table, error)
+      inlet%over_flooded = keys%oil_over_flooded
+      if (keys%oil_layer_m > 0) inlet%layer = keys%oil_layer_m/conditions%c_m
+      if (keys%oil_profile == '' .or. .not. inlet%is_short()) return
+      call read_number_table(trim(keys%oil_profile), table, error)
       if (allocated(error)) then
          error%message = '&inlet oil_profile: '//error%message
          return
@@ -81,15 +83,15 @@ contains
       y = table%column('y_over_b')
       share = table%column('layer_over_given')
       if (y == 0 .or. share == 0) then
-         call raise(error, "&inlet oil_profile = '"//trim(case%oil_profile)//"' needs the columns y_over_b and "// &
+         call raise(error, "&inlet oil_profile = '"//trim(keys%oil_profile)//"' needs the columns y_over_b and "// &
                     'layer_over_given')
          return
       end if
-      call note_digest(files, trim(case%oil_profile), table%digest())
+      call note_digest(files, trim(keys%oil_profile), table%digest())
       inlet%y = table%values(:, y)
       inlet%share = table%values(:, share)
-      call check_profile(trim(case%oil_profile), inlet, error)
-   end subroutine plan_inlet
+      call check_profile(trim(keys%oil_profile), inlet, error)
+   end subroutine read_oil
 
    !> Oil offered at Y = 0 over what the flooded contact passes, by the film formula where a layer is given; before a
    !> change of the layer.
@@ -106,19 +108,19 @@ contains
       expected_oil = max(least_oil, expected_oil*inlet%share_at(0.0_dp))
    end function expected_oil
 
-   !> Note a ridge or dry lane of the profile that is too narrow for the mesh: cells hold its oil, but not its form.
-   subroutine judge_lanes(inlet, y_max, hy, resolution)
+   !> Why a ridge or dry lane of the profile is too narrow for the mesh: cells hold its oil, but not its form. '' where
+   !> none is.
+   function narrow_lane_text(inlet, y_max, hy) result(reason)
       type(inlet_oil_t), intent(in) :: inlet
       real(dp), intent(in) :: y_max, hy     !! half the width of the domain, mesh size
-      type(resolution_t), intent(inout) :: resolution
+      character(len=:), allocatable :: reason
       real(dp) :: width
 
+      reason = ''
       width = inlet%narrowest_lane(y_max, least_height)
-      if (width >= fewest_cells*hy) return
-      call add_reason(resolution%reason, 'the oil profile has a ridge or dry lane '//to_text(width, 2)//' b wide, '// &
-                      to_text(width/hy, 2)//' cells: use hY <= '//to_text(width/fewest_cells, 2))
-      resolution%is_resolved = .false.
-   end subroutine judge_lanes
+      if (width < fewest_cells*hy) reason = 'the oil profile has a ridge or dry lane '//to_text(width, 2)// &
+         ' b wide, '//to_text(width/hy, 2)//' cells: use hY <= '//to_text(width/fewest_cells, 2)
+   end function narrow_lane_text
 
    !> A profile has two places or more, in order, and no negative layer; somewhere there is oil.
    subroutine check_profile(path, inlet, error)
@@ -139,4 +141,4 @@ contains
       end if
    end subroutine check_profile
 
-end module ehlwave_inlet_plan
+end module ehlwave_oil_offer_plan

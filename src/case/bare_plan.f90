@@ -1,0 +1,198 @@
+!> The plan of one case without its effects: what is computed, on which grid, in how many steps, and why.
+module ehlwave_bare_plan
+   use ehlwave_accuracy_model, only: expected_film_error, spike_factor
+   use ehlwave_case_files, only: case_file_t
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_error_parts, only: error_parts_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_resolution, only: resolution_t
+   use ehlwave_rheology, only: rheology_t
+   use ehlwave_surfaces, only: surfaces_t
+   use ehlwave_thinning, only: thinning_t
+   use ehlwave_work_unit, only: expected_unit_seconds, largest_timed, work_unit_operations
+   implicit none (type, external)
+   private
+
+   integer, parameter, public :: run_smooth = 1      !! steady state of smooth surfaces only
+   integer, parameter, public :: run_standing = 2    !! steady states of a pattern that stands still
+   integer, parameter, public :: run_march = 3       !! march in time
+   integer, parameter, public :: run_harmonic = 4    !! linear response only
+
+   type, public :: bare_plan_t
+      type(conditions_t) :: conditions
+      type(rheology_t) :: rheology
+      type(thinning_t) :: thinning                   !! of the oil
+      logical :: is_fitted = .false.                 !! scheme of the Reynolds equation
+      real(dp) :: steepness = 1                      !! of the inlet, for the scheme: over that of a Newtonian oil
+      type(surfaces_t) :: surfaces
+      type(case_file_t), allocatable :: files(:)     !! that cases may read; with digests where this one does
+      integer :: kind = run_smooth
+      logical :: responds = .false.                  !! the linear response is computed
+      logical :: is_by_multigrid = .false.           !! steady states by FAS
+      integer :: levels = 0                          !! across the film at which temperatures are found; 0: none
+      integer :: field_sets = 0                      !! fields over time that are kept
+      integer :: threads = 1                         !! that share the case; the least a sweep can have
+      logical :: is_periodic = .false.               !! the periodic state is sought first; the march is what else there
+                                                     !! is
+      logical :: is_half = .true.                    !! only Y >= 0 is computed
+      real(dp) :: x_min = 0, x_max = 0, y_max = 0    !! domain; the pattern starts at the x_min of the case whatever it
+                                                     !! is
+      real(dp) :: domain_scale = 1                   !! over the domain of the case
+      real(dp) :: domain_error = 0                   !! relative, expected by the edges, of what expected_error is of,
+      real(dp) :: film_domain_error = 0              !! and of H(0,0)
+      integer :: cells_x = 0, cells_y = 0            !! of the whole domain; cells_y = 1 of a line contact
+      character(len=:), allocatable :: grid_reason
+      real(dp) :: hx = 0, hy = 0                     !! hy = 0 of a line contact
+      character(len=4) :: deformation = ''           !! 'fft' or 'mlmi'
+      integer :: cells_per_step = 1, steps_per_cell = 1
+      real(dp) :: dt = 0                             !! time step, 0 without march
+      integer :: steps = 0                           !! time steps
+      integer :: first_sample = 0                    !! step from which the amplitude is measured,
+      logical :: measures = .true.                   !! if the march is long enough for that
+      real(dp) :: rest = 0                           !! T from which on effects that change should no longer move the
+                                                     !! film
+      integer :: largest_total_steps = 0             !! cap on the nonlinear steps of the finest grid,
+      real(dp) :: largest_work = huge(1.0_dp)        !! and on operations where the case gives none, see `cap_work`
+      integer :: phases = 0                          !! steady solutions of a standing pattern
+      type(resolution_t) :: resolution
+      type(error_parts_t) :: expected                !! relative errors of Ad/Ai, of smooth contacts of H(0,0); from
+                                                     !! models
+      real(dp) :: expected_error = 0                 !! of mesh, time and tolerances among them
+      real(dp) :: expected_work_units = 0            !! counted, without error estimates
+      real(dp) :: work_with_estimates = 0            !! the same with them: what takes time
+      real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
+   contains
+      procedure :: expected_film_mesh_error
+      procedure :: model_margin
+      procedure :: model_ratio_error
+      procedure :: least_ratio_error
+      procedure :: light_ratio_error
+      procedure :: expected_work
+      procedure :: expected_seconds
+      procedure :: has_work_cap
+      procedure :: expected_memory_mib
+   end type bare_plan_t
+
+contains
+
+   !> Whether it is the plan that says how much a case may take.
+   pure logical function has_work_cap(self)
+      class(bare_plan_t), intent(in) :: self
+      has_work_cap = self%largest_work < huge(1.0_dp)
+   end function has_work_cap
+
+   !> Relative error of H(0,0) of the smooth contact to expect by the mesh.
+   pure real(dp) function expected_film_mesh_error(self)
+      class(bare_plan_t), intent(in) :: self
+      expected_film_mesh_error = self%steepness*expected_film_error(self%conditions, self%hx)
+   end function expected_film_mesh_error
+
+   !> The factor of errors that the plan expects, where they stand in for an estimate: models are right within a factor
+   !> of 2 or 3, and were fitted to grids with hY up to 2 hX and to contacts whose pressure spike is below the Hertz
+   !> pressure. The spike of a light contact is above: at 1.6 times the film was 3.3 times as far off as twice the
+   !> model.
+   pure real(dp) function model_margin(self, max_pressure)
+      class(bare_plan_t), intent(in) :: self
+      real(dp), intent(in) :: max_pressure   !! of the smooth contact, over the Hertz pressure
+      real(dp), parameter :: usual_margin = 2, usual_ratio = 2
+      model_margin = usual_margin*max(1.0_dp, (self%hy/(usual_ratio*self%hx))**2)*spike_factor(max_pressure)
+   end function model_margin
+
+   !> Relative error of Ad/Ai by the mesh, where no coarser grid tells it. Under slip two waves add up whose phases the
+   !> mesh shifts, which the model has not: measured 2 to 10 over the square of the points per wave for S = 0.3 to 0.76
+   !> and 1.37 where the formula gives Ad/Ai above 0.8, at most 1 in pure rolling.
+   !> And Ad/Ai is no better than the film, on which it depends: in seven random cases it was 1.0 to 2.2 times as far
+   !> off as the film was said to be; 3.6 times with a Ree-Eyring oil of 0.2 MPa; 3.3 times where the waves stand still
+   !> (S = 0, M = 37, D = 0.2), and there also 38 over the square of the points (M = 68, D = 0.48, Ree-Eyring).
+   pure real(dp) function model_ratio_error(self, max_pressure, film_error)
+      class(bare_plan_t), intent(in) :: self
+      real(dp), intent(in) :: max_pressure   !! see `model_margin`
+      real(dp), intent(in) :: film_error     !! relative, of the smooth H(0,0) of the case, by its mesh
+      real(dp), parameter :: film_share = 1.5_dp, thinning_share = 3, sliding_share = 2   ! the last at S = 0 and 2
+      real(dp), parameter :: slip_factor = 6, largest_slip = 0.5_dp, standing_factor = 30   ! the last at S = 0
+      associate (slip => abs(self%conditions%slip_parameter - 1))
+         model_ratio_error = max(self%model_margin(max_pressure)*self%expected%mesh, &
+                                 (merge(film_share, thinning_share, self%rheology%is_newtonian()) &
+                                  + sliding_share*slip)*film_error)
+         if (self%resolution%points_x > 0) model_ratio_error = model_ratio_error &
+            + (slip_factor*min(1.0_dp, slip/largest_slip) + standing_factor*max(0.0_dp, slip/largest_slip - 1))/ &
+            self%resolution%points_x**2
+      end associate
+   end function model_ratio_error
+
+   !> The least relative error of Ad/Ai, or of a response, by the mesh that two grids can show. Their values can agree
+   !> by chance, which tells nothing of either. Of 17 random cases the expected error was 0.65 to 3 times the error, an
+   !> estimate from grids 0.02 to 3 times. Where the film is further off than the model says, so is Ad/Ai: both errors
+   !> come from the inlet (films of line contacts are 1.2 to 1.5 times as far off as the model of elliptical ones says).
+   pure real(dp) function least_ratio_error(self, film_error)
+      class(bare_plan_t), intent(in) :: self
+      real(dp), intent(in) :: film_error      !! relative, of the smooth H(0,0) of the case, by its mesh
+      ! of a fitted scheme more: it goes up and down with the mesh (M = 299, longitudinal: 0.2843, 0.2858, 0.2833)
+      real(dp), parameter :: least_share = 0.8_dp, least_share_fitted = 1.2_dp
+      least_ratio_error = merge(least_share_fitted, least_share, self%is_fitted)*self%expected%mesh* &
+                          max(1.0_dp, film_error/self%expected_film_mesh_error())
+   end function least_ratio_error
+
+   !> The least relative error of Ad/Ai, or of a response, of a light contact, whose film is as thick as the bodies
+   !> approach: it does not come from the inlet. Where the waves keep their amplitude all other models say nearly
+   !> nothing. Measured (M = 24 and 29, D = 0.15 and 0.07, 96 cells): 6.4 and 9.2 over hX^2. Of a fitted scheme the
+   !> same, however thin the film: it leaves little else (line contact, M = 8, L = 15, S = 1.52: 9 over hX^2).
+   pure real(dp) function light_ratio_error(self, film, by_grids)
+      class(bare_plan_t), intent(in) :: self
+      real(dp), intent(in) :: film         !! H(0,0)
+      logical, intent(in) :: by_grids      !! whether it is beside what coarser grids tell
+      real(dp), parameter :: model_factor = 8, grids_factor = 5
+      light_ratio_error = merge(grids_factor, model_factor, by_grids)*self%hx**2* &
+                          min(1.0_dp, merge(1.0_dp, film, self%is_fitted))
+   end function light_ratio_error
+
+   !> Operations to expect, error estimates included.
+   elemental real(dp) function expected_work(self)
+      class(bare_plan_t), intent(in) :: self
+      expected_work = self%work_with_estimates*work_unit_operations(self%cells_x, self%cells_y)
+   end function expected_work
+
+   !> Run time to expect here and now, from the model of the work and a work unit timed on the spot.
+   real(dp) function expected_seconds(self)
+      class(bare_plan_t), intent(in) :: self
+      expected_seconds = self%work_with_estimates*expected_unit_seconds(self%cells_x, self%cells_y)
+   end function expected_seconds
+
+   !> Peak memory of the process to expect, in MiB, without what MPI takes: a constant and so much for each cell that is
+   !> computed, more on finer grids, whose GMRES keeps more vectors. Measured within an eighth: 64 to 2048 cells along
+   !> each side, M = 100 and, up to 1024, 1000; smooth, transverse waves of 0.5 a by their response, and marches.
+   pure real(dp) function expected_memory_mib(self)
+      class(bare_plan_t), intent(in) :: self
+      real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_multigrid = 335, bytes_wavy = 900, &
+         bytes_timing = 64, &                                           ! of a work unit, of each cell that is timed
+         bytes_in_parts = 1500, &     ! of responses whose linear systems are not kept side by side
+         bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
+         bytes_set = 48, &                                              ! three fields, and their file
+         bytes_fitted = 215, &                                          ! fluxes through faces
+         bytes_level = 145                                              ! with heat, measured: within a tenth
+      real(dp), parameter :: cells_in_parts = 1e6_dp
+      real(dp), parameter :: thread_mib = 1, bytes_thread = 600   ! rows, columns and lines of its own
+      real(dp), parameter :: usual_cells = 256*128, smooth_growth = 0.18_dp, response_growth = 0.06_dp
+      real(dp) :: bytes, cells, halvings   ! of the mesh of `usual_cells`
+      cells = real(self%cells_x, dp)*self%cells_y
+      if (self%is_half) cells = cells/2
+      halvings = 0.5_dp*log(max(1.0_dp, cells/usual_cells))/log(2.0_dp)
+      bytes = bytes_smooth*(1 + smooth_growth*halvings)
+      if (self%is_by_multigrid) bytes = bytes_multigrid &
+         + bytes_timing*min(real(self%cells_x, dp)*self%cells_y, real(largest_timed, dp))/cells
+      if (self%kind /= run_smooth) bytes = max(bytes, bytes_wavy)
+      if (self%is_periodic) bytes = bytes_periodic
+      if (self%responds) bytes = max(bytes, bytes_response)
+      if (self%is_periodic .or. self%responds) bytes = bytes*(1 + response_growth*halvings**2)
+      if (self%is_by_multigrid .and. self%responds .and. cells > cells_in_parts) bytes = bytes_in_parts
+      if (self%conditions%is_line()) then
+         bytes = bytes_line
+         cells = self%cells_x
+      end if
+      bytes = bytes + bytes_level*self%levels
+      if (self%is_fitted) bytes = bytes + bytes_fitted
+      expected_memory_mib = program_mib + (bytes + bytes_set*self%field_sets)*cells/2.0_dp**20 &
+                            + (self%threads - 1)*(thread_mib + bytes_thread*(self%cells_x + self%cells_y)/2.0_dp**20)
+   end function expected_memory_mib
+
+end module ehlwave_bare_plan

@@ -1,0 +1,55 @@
+!> One physical effect in the input of a case: its keys, and the methods that it refuses.
+module ehlwave_effect_keys
+   use ehlwave_key_list, only: key_list_t
+   implicit none (type, external)
+   private
+
+   ! Methods that an effect may refuse.
+   integer, parameter, public :: by_fas = 1            !! FAS multigrid, chosen by the plan
+   integer, parameter, public :: by_fitted_scheme = 2  !! fitted scheme of the Reynolds equation
+   integer, parameter, public :: by_second_order = 3   !! mean film of small waves, to second order
+
+   type, abstract, public :: effect_keys_t
+   contains
+      procedure(follows), deferred, nopass :: follows
+      procedure(visit), deferred :: visit
+      procedure(is_given), deferred :: is_given
+      procedure(refuses), deferred, nopass :: refuses
+      procedure(changing), deferred :: changing
+   end type effect_keys_t
+
+   abstract interface
+
+      !> Name of the group behind which the keys of the effect come.
+      pure function follows() result(group)
+         character(len=:), allocatable :: group
+      end function follows
+
+      !> Enter the group of the effect, and see its keys.
+      subroutine visit(self, list)
+         import :: effect_keys_t, key_list_t
+         class(effect_keys_t), intent(inout) :: self
+         type(key_list_t), intent(inout) :: list
+      end subroutine visit
+
+      !> Whether the case has the effect.
+      elemental logical function is_given(self)
+         import :: effect_keys_t
+         class(effect_keys_t), intent(in) :: self
+      end function is_given
+
+      !> Whether a method is not written for the effect.
+      pure logical function refuses(method)
+         integer, intent(in) :: method
+      end function refuses
+
+      !> Name of the part that changes in a march, so that more than waves moves the film; '': none.
+      pure function changing(self) result(name)
+         import :: effect_keys_t
+         class(effect_keys_t), intent(in) :: self
+         character(len=:), allocatable :: name
+      end function changing
+
+   end interface
+
+end module ehlwave_effect_keys
