@@ -15,7 +15,20 @@ from ehlwave.contact.heat_data import BodyHeat, Heat
 from ehlwave.laws.inlet_warming import inlet_factor, thermal_loading, wall_parameter
 from ehlwave.laws.sheared_film import Sheared
 from studies.folds import held_out
-from studies.heat import DENSITY, EVEN_RANGES, EXPANSION, contact, dimensional_keys
+from studies.heated_contacts import (
+    BEARING_LOADS,
+    BEARING_RATIOS,
+    DENSITY,
+    EVEN_RANGES,
+    EXPANSION,
+    MORE,
+    THICK_FILMS,
+    THICK_LOADS,
+    contact,
+    dimensional_keys,
+    loading_of,
+    write_more,
+)
 from studies.inlet_tables import write_tables
 from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
 
@@ -28,13 +41,12 @@ THICKEST = 0.8
 """Film by the formula over the Hertz approach; thicker films are rather rigid."""
 LOADINGS = (5e-3, 8.0)
 CIRCLE_SHARE, LOWEST_RATIO = 0.3, 0.03
-BEARING_LOADS, BEARING_RATIOS = (100.0, 2e4), (0.012, 0.25)
-"""M and D of contacts of rolling bearings, which roll."""
-BEARING_RADII, BEARING_HERTZ_PA = (8e-4, 2e-2), (5e8, 3.5e9)
 EVEN_SHARE, LARGEST_RATIO = 0.5, 1.9
 """Sliding contacts: this share is even in the ratio, the others are even in its logarithm."""
 LARGEST_ERROR = 0.03
 """Error of films of computed contacts; coarser contacts are left out."""
+RATIO_ERROR = 0.15
+"""Error of heavy films of bearings, whose ratio to the cold film on the same grid counts."""
 FOLDS = 20
 SHARE_WITHIN = 95
 """Percentage of contacts within the error."""
@@ -63,51 +75,15 @@ def contacts(count: int, is_line: bool) -> list[Row]:
             row["radius_y_m"] = float(f"{row['radius_x_m'] / d:.4g}")
         c = conditions_from_keys(dimensional_keys(row))
         film = (c.central_film_m or math.nan) / (c.hertz_approach_c_m or math.nan)
-        loading = _loading(row)
+        loading = loading_of(row)
         ranges = (LOADS[0] <= c.m <= LOADS[1], OILS[0] <= c.l <= OILS[1], film < THICKEST)
         if all(ranges) and LOADINGS[0] <= loading <= LOADINGS[1]:
             rows.append(row)
     return rows
 
 
-def bearing_contacts(count: int) -> list[Row]:
-    """Return as many heavy, slender contacts as `count`, which roll as in ball bearings."""
-    rng = np.random.default_rng(SEED + 2)
-    rows: list[Row] = []
-
-    def drawn(low: float, high: float) -> float:
-        return float(low * (high / low) ** rng.random())
-
-    while len(rows) < count:
-        row = contact(rng, is_line=False) | {"slide_to_roll_ratio": 0.0}
-        row["body2_conductivity_w_per_m_k"] = row["body_conductivity_w_per_m_k"]
-        row["radius_x_m"] = drawn(*BEARING_RADII)
-        row["radius_y_m"] = row["radius_x_m"] / drawn(*BEARING_RATIOS)
-        one = conditions_from_keys(dimensional_keys(row | {"load_n": 1.0})).hertz_pa
-        row["load_n"] = (drawn(*BEARING_HERTZ_PA) / one) ** 3
-        row = {name: float(f"{value:.4g}") for name, value in row.items()}
-        c = conditions_from_keys(dimensional_keys(row))
-        loading = _loading(row)
-        ranges = (BEARING_LOADS[0] <= c.m <= BEARING_LOADS[1], OILS[0] <= c.l <= OILS[1])
-        if all(ranges) and LOADINGS[0] <= loading <= LOADINGS[1]:
-            rows.append(row)
-    return rows
-
-
-def _loading(row: Row) -> float:
-    """Return L_t of a drawn contact."""
-    return float(
-        thermal_loading(
-            row["viscosity_pa_s"],
-            row["viscosity_temperature_per_k"],
-            row["mean_speed_m_per_s"],
-            row["oil_conductivity_w_per_m_k"],
-        )
-    )
-
-
-def write_cases(folder: Path, lines: int, points: int, bearings: int, cells: int) -> None:
-    """Write the sweeps of line contacts, of elliptical contacts and of those of bearings."""
+def write_cases(folder: Path, lines: int, points: int, more: int, cells: int) -> None:
+    """Write the sweeps of line contacts, of elliptical contacts, of bearings and of thick films."""
     groups = {
         "lubricant": {"flow_law": "eyring"},
         "heat": {"oil_density_kg_per_m3": DENSITY, "oil_expansion_per_k": EXPANSION},
@@ -117,19 +93,19 @@ def write_cases(folder: Path, lines: int, points: int, bearings: int, cells: int
     grid = {"x_min": -5.0, "x_max": 1.5, "y_max": 3.0, "edges": "flooded"}
     grid |= {"cells_x": cells, "cells_y": cells}
     write_sweep(folder, "points", contacts(points, is_line=False), groups | {"grid": grid})
-    grid = {"x_min": -3.0, "x_max": 1.5, "y_max": 2.0, "edges": "flooded"}
-    grid |= {"cells_x": cells, "cells_y": cells}
-    write_sweep(folder, "bearings", bearing_contacts(bearings), groups | {"grid": grid})
+    write_more(folder, more)
 
 
 def usable(folder: Path) -> pd.DataFrame:
     """Return the input of the law for contacts that converged on a resolving grid."""
     rows = []
-    for name in ("lines", "points"):
+    for name in ("lines", "points", *MORE):
+        largest = RATIO_ERROR if name == "bearings" else LARGEST_ERROR
         for case in read_sweep(folder, name):
-            if case["status"] == "converged" and case["central_film_error"] < LARGEST_ERROR:
+            if case["status"] == "converged" and case["central_film_error"] < largest:
                 rows.append(_compared(case))
-    return pd.DataFrame(rows)
+    table = pd.DataFrame(rows)
+    return table[table["loading"] <= LOADINGS[1]]
 
 
 def _compared(case: Row) -> Row:
@@ -179,7 +155,12 @@ def fit(table: pd.DataFrame) -> list[Row]:
         share = np.percentile(shares[groups == k], SHARE_WITHIN)
         rows.append({"name": f"error_share_{k + 1}", "value": float(share)})
     rows += [{"name": f"error_slip_{k + 1}", "value": slip} for k, slip in enumerate(ERROR_SLIP)]
-    ranges = {"m": LOADS, "l": OILS, "film": (0.0, THICKEST), "loading": (0.0, LOADINGS[1])}
+    ranges = {
+        "m": (THICK_LOADS[0], BEARING_LOADS[1]),
+        "l": OILS,
+        "film": (0.0, THICK_FILMS[1]),
+        "loading": (0.0, LOADINGS[1]),
+    }
     for name, (low, high) in ranges.items():
         rows += [
             {"name": f"lowest_{name}", "value": low},
@@ -187,7 +168,7 @@ def fit(table: pd.DataFrame) -> list[Row]:
         ]
     rows += [
         {"name": "known_loss", "value": KNOWN},
-        {"name": "lowest_d", "value": LOWEST_RATIO},
+        {"name": "lowest_d", "value": BEARING_RATIOS[0]},
         {"name": "largest_slide_roll", "value": LARGEST_RATIO},
     ]
     for name, part in (("rolling", slides == 0), ("sliding", slides > 0)):
@@ -214,13 +195,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--lines", type=int, default=400)
     parser.add_argument("--points", type=int, default=500)
+    parser.add_argument("--more", type=int, default=160)
     parser.add_argument("--cells", type=int, default=128)
     return run_command(parser, _run, arguments)
 
 
 def _run(options: argparse.Namespace) -> None:
     if options.step == "cases":
-        write_cases(options.folder, options.lines, options.points, options.cells)
+        write_cases(options.folder, options.lines, options.points, options.more, options.cells)
     else:
         report(options.folder)
 

@@ -21,13 +21,15 @@ from ehlwave.laws.warm_films import film_error, smallest_factor
 
 Floats = NDArray[np.float64]
 
-FRICTION_COEFFICIENTS = (0.25537, 0.67337, 0.25624, 0.42594, 0.23419, 0.36664, 56.145)
+FRICTION_COEFFICIENTS = (0.21094, 0.58557, -0.0994, 0.40404, 0.20501, 0.35691, 39.53)
 """Coefficients of :func:`friction_factor`."""
 FRICTION_BAR, COLD_BAR = 0.12, 0.03
 """Relative errors of friction with and without heat: 95 % of contacts held out are within. Errors
 of films come from :func:`ehlwave.laws.warm_films.film_error`."""
 ELLIPSE_BAR = 0.05
 """More relative error of friction in ellipses: without it 4 of 32 fresh contacts are outside."""
+THICK_BAR, THICK_FILM = 0.12, 0.4
+"""More relative error of friction where the film exceeds this part of the Hertz approach (lines)."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
@@ -223,6 +225,8 @@ def warmed(
 
     warmth = heat.viscosity_temperature_per_k * warm.rise_surfaces_k
     by_shape = 0.0 if conditions.is_line else ELLIPSE_BAR
+    if over_c > THICK_FILM:
+        by_shape += THICK_BAR
     return Heated(
         film,
         inlet,

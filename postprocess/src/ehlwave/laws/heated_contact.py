@@ -15,7 +15,12 @@ ROLLING_RANGES = RANGES | {
     "film over Hertz approach": inlet.FILM_RANGE,
     "eta0 beta u^2/k": inlet.LOADING_RANGE,
 }
-"""Of contacts in pure rolling, where the warm inlet alone thins the film."""
+"""Ranges of contacts in pure rolling, where the warm inlet alone thins the film."""
+LINE_RANGES = RANGES | {
+    "load_parameter_m": (2.0, 1500.0),
+    "film over Hertz approach": (0.0, 1.0),
+}
+"""Ranges of line contacts that slide."""
 
 
 def heated(
@@ -75,8 +80,9 @@ def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float |
         "effusivity of a body": [body.effusivity for body in heat.bodies],
     }
     rolls = conditions.slip_parameter == 1
+    ranges = ROLLING_RANGES if rolls else LINE_RANGES if conditions.is_line else RANGES
     for name, found in values.items():
-        low, high = (ROLLING_RANGES if rolls else RANGES)[name]
+        low, high = ranges[name]
         for value in found:
             if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
                 raise RangeError(_outside(name, value, f"{low:g} to {high:g}"))

@@ -5,27 +5,27 @@ with the table of ``ehlwave-case``.
 """
 
 COEFFICIENTS = (
-    0.24972,
-    0.91648,
-    0.98308,
-    2.1121,
-    6.175,
-    0.78022,
-    0.31545,
-    -0.77691,
-    -1.8225,
-    5.3585,
+    0.16228,
+    0.92273,
+    0.90864,
+    2.2323,
+    6.4314,
+    0.77965,
+    0.11582,
+    -0.35718,
+    -0.89139,
+    2.0543,
 )
 """Coefficients c1 to c10."""
-ERROR_SHARE = (0.20285, 0.49694, 1.183)
+ERROR_SHARE = (0.20695, 0.48503, 1.0021)
 """Error over the loss and known_loss, by the sliding."""
 ERROR_SLIP = (0.2, 1.0)
 """Slide-to-roll ratios |u1 - u2|/ubar above which the next share holds."""
-M_RANGE = (4.0, 20000.0)
+M_RANGE = (2.0, 20000.0)
 """Load parameter M of the contacts of the fit."""
 L_RANGE = (2.0, 25.0)
 """Lubricant parameter L."""
-FILM_RANGE = (0.0, 0.8)
+FILM_RANGE = (0.0, 1.0)
 """Central film over the Hertz approach."""
 LOADING_RANGE = (0.0, 8.0)
 """Thermal loading L_t."""
