@@ -37,7 +37,7 @@ program ehlwave_case
       '', &
       'Solves one elastohydrodynamic contact, smooth or wavy, described by a namelist file.', &
       '', &
-      '  --plan           say what would be computed, on which grid and why; compute nothing', &
+      '  --plan           print the plan: grid, steps and reasons; compute nothing', &
       '  --json           last line of the output: plan or result as one JSON object', &
       '  --output FILE    write result, history at the contact centre and fields to an HDF5 file', &
       '  --overwrite      even where FILE exists and is no result of ehlwave-case', &

@@ -37,14 +37,14 @@ program ehlwave_sweep
       'again goes on where a run was stopped or killed, and with new cases when the sweep file has some.', &
       '', &
       '  --plan            list the cases with grids, steps and resolution; compute nothing', &
-      '  --output FILE     results file, in place of the one named in the sweep file', &
+      '  --output FILE     results file, overrides the name in the sweep file', &
       '  --time-limit TIME stop after SECONDS, M:SS, H:MM:SS or D-HH:MM:SS: take no more cases, keep', &
       '                    checkpoints of those under way, exit with status 85', &
       '  --retry failed    run cases that did not converge, and those set aside, once more', &
       '  --retry version   run cases of other versions of the program once more', &
       '  --retry files     run cases once more whose files had other numbers when they were stored', &
       '  --overwrite       drop the store and the results file, begin anew', &
-      '  --status FILE     say what a store holds (counts, slowest, failed, time left); compute nothing', &
+      '  --status FILE     print the content of a store (counts, slowest, failed, time left); compute nothing', &
       '  --keys            all keys of a sweep file, with defaults and meaning; --markdown: as inputs/README.md', &
       '  --version         version of the program; --verbose: with build, libraries, MPI, processor', &
       '  --help            this text', &

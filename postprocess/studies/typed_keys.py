@@ -62,7 +62,7 @@ OF_SWEEPS = {
     "case_file": "Text",
     "output": "Text",
 }
-"""Those of ``&sweep`` that are not lists, which the program does not list as JSON."""
+"""Keys of ``&sweep`` other than lists, which the program leaves out of JSON."""
 
 
 def module(keys: Sequence[dict[str, Any]]) -> str:

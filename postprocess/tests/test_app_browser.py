@@ -222,7 +222,7 @@ def test_wrong_numbers_name_their_field_and_keep_the_rest(
         tab = await browser.tab()
         await tab.size(1400, 900)
         await tab.open(address)
-        wrong = {"12,7x": "load_n = '12,7x' is not a number", "": "load_n is missing"}
+        wrong = {"12,7x": "Load = '12,7x' is not a number", "": "Load is missing"}
         for text, sign in wrong.items():
             await tab.fill("Load", text)
             await tab.click("Compute")

@@ -15,7 +15,7 @@ from ehlwave.app import quantities
 from ehlwave.app.contacts import Given, made, source
 from ehlwave.app.quantities import in_si
 from ehlwave.app.saving import document, script
-from ehlwave.app.shown import failure, headline, numbers
+from ehlwave.app.shown import compared, decided, failure, headline, numbers, plain, tables
 from ehlwave.app.task import Task, answered
 from ehlwave.app.uploads import LARGEST_BYTES, Upload, file_name, read_upload
 from ehlwave.app.work import SMALL_BYTES, Pools
@@ -126,7 +126,30 @@ def test_messages_are_those_of_the_command_line_and_name_a_field() -> None:
         answered(Task(Given(BALL | {"load_n": "4O"})))
     said = failure(str(caught.value), [quantities.MODULUS, quantities.LOAD])
     assert "Field: Load" in said
+    assert "load_n" not in said
+    assert plain("give heat data (heat=)") == "give heat data"
+    assert plain("DeepGrooveBallBearing: bore_m is 0") == "deep groove ball bearing: Bore d is 0"
     assert "<script>" not in failure("<script>alert(1)</script>", [])
+
+
+def test_the_answer_has_hertz_one_friction_and_a_variant_beside_it() -> None:
+    oil = {"eyring_stress_pa": 5e6, "slide_to_roll_ratio": 0.1}
+    first, second = (answered(Task(Given(BALL | oil | {"load_n": n}))) for n in (40, 80))
+    contact = tables(first)["Contact"]
+    assert [name for name, _ in contact] == [
+        "Hertz pressure",
+        "Semi-axis a, along rolling",
+        "Semi-axis b, across",
+        "M, L, D",
+    ]
+    film = dict(tables(first)["Smooth contact"])
+    assert [name for name in film if "riction" in name] == ["Friction coefficient"]
+    assert " within " in film["Friction coefficient"]
+    both = compared(first, second)
+    for answer in (first, second):
+        for _, value in tables(answer)["Contact"]:
+            assert value in both
+    assert decided(first) == "neutral"
 
 
 def test_names_of_files_cannot_lead_elsewhere() -> None:

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from synthetic import Columns, make_columns, write_results
+from synthetic import Columns, make_columns, taken, write_results
 from xarray import Dataset
 
 from ehlwave import (
@@ -123,3 +123,12 @@ def test_files_are_written_and_repeatable(tmp_path: Path) -> None:
     assert contents[0][0].startswith(b"\x89PNG")
     assert contents[0][1].startswith(b"%PDF")
     assert contents[0] == contents[1]
+
+
+def test_one_orientation_has_one_curve_below_one(tmp_path: Path) -> None:
+    columns = make_columns(c1=-0.02, c2=0.03)
+    only = taken(columns, columns["orientation"] == "transverse")
+    figure = collapse_figure(_points(tmp_path, only), "f_v")
+    solid = [[line for line in axes.lines if line.get_linestyle() == "-"] for axes in figure.axes]
+    assert [len(lines) for lines in solid] == [1, 0, 0]
+    assert solid[0][0].get_ydata().max() <= 1

@@ -6,6 +6,7 @@ import pytest
 from synthetic import CONDITIONS, Columns, make_columns, taken, write_results
 
 from ehlwave import RefitRow, RefitSettings, read_results, refit_groups, select_points
+from ehlwave.results.refit import refit_warnings
 
 SETTINGS = RefitSettings(replicates=50)
 
@@ -80,3 +81,25 @@ def test_other_orientations_have_a_row(tmp_path: Path) -> None:
     rows = _rows(tmp_path, columns)
     assert rows["custom", "f_v"].points == 20
     assert rows["isotropic", "f_v"].points == 0
+
+
+def test_three_conditions_have_no_intervals_and_a_warning(tmp_path: Path) -> None:
+    three = dict(list(CONDITIONS.items())[:3])
+    rows = _rows(tmp_path, make_columns(conditions=three))
+    row = rows["all", "f_v"]
+    assert row.c1 == pytest.approx(0.2)
+    assert math.isnan(row.c2_bootstrap[0])
+    assert math.isnan(row.c2_profile[1])
+    assert row.note == "no intervals (3 operating condition(s); 4 needed)"
+    assert "3 operating condition(s)" in refit_warnings(list(rows.values()))[0]
+
+
+def test_one_orientation_above_one_is_named(tmp_path: Path) -> None:
+    columns = make_columns(c1=-0.02, c2=0.03)
+    rows = _rows(tmp_path, taken(columns, columns["orientation"] == "transverse"))
+    row = rows["all", "f_v"]
+    assert row.c1 == pytest.approx(-0.02)
+    assert math.isnan(row.c1_bootstrap[0])
+    said = " / ".join(refit_warnings(list(rows.values())))
+    assert "transverse waves only" in said
+    assert "above 1 for f V below 0.667" in said

@@ -1,7 +1,6 @@
-!> Completes the input of one case: fills in keys that follow from others, and refuses contradictions.
+!> Completes the input of a case: fills in keys that follow from others, and refuses contradictions.
 module ehlwave_case_completion
    use ehlwave_case_definition, only: case_t, largest_line_cells, usual_largest_cells
-   use ehlwave_case_heat, only: check_heat, heat_of_oil
    use ehlwave_case_lubricant, only: check_lubricant, pressure_viscosity
    use ehlwave_conditions, only: conditions_from_dimensional, conditions_from_moes, conditions_t
    use ehlwave_effects_plan, only: effects_plan_t
@@ -9,6 +8,7 @@ module ehlwave_case_completion
    use ehlwave_kinds, only: dp
    use ehlwave_case_roughness, only: check_line_roughness, check_response, complete_roughness
    use ehlwave_method_choice, only: choose_method
+   use ehlwave_sensitivity_check, only: check_sensitivities
    use ehlwave_scheme_choice, only: check_scheme, choose_scheme
    use ehlwave_petsc_library, only: require_petsc
    use ehlwave_text, only: to_text
@@ -29,13 +29,14 @@ contains
 
       if (allocated(error)) return
       call case_conditions(case, conditions, error)
-      call check_heat(case, error)
+      if (.not. allocated(error)) call effects%check_data(case, error)
       if (.not. allocated(error) .and. conditions%is_line()) call complete_line(case, error)
       if (case%largest_cells == 0) case%largest_cells = usual_largest_cells
       if (.not. allocated(error)) call complete_roughness(case, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
       if (.not. allocated(error)) call effects%check(case, error)
+      call check_sensitivities(case, error)
       if (.not. allocated(error)) call check_scheme(case, error)
       if (.not. allocated(error)) call choose_scheme(case, conditions)
       if (.not. allocated(error)) call choose_method(case, conditions)
@@ -64,8 +65,8 @@ contains
          call raise(error, "&solver deformation = 'mlmi'"//line//"has its deformation by 'fft'")
       else if (case%load_balance == 'equation_of_motion') then
          call raise(error, "&dynamics load_balance = 'equation_of_motion'"//line// &
-            'has no mutual approach of its own (that of '// &
-                    "a line load on a half-space is infinite): use 'force_balance'")
+            'has no mutual approach of its own (a line '// &
+                    "load on a half-space gives an infinite one): use 'force_balance'")
       end if
       case%cells_y = 1
       case%domain = 'auto'
@@ -78,9 +79,10 @@ contains
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(out) :: conditions
       type(error_t), allocatable, intent(inout) :: error
+      type(effects_plan_t) :: effects
       real(dp) :: alpha_per_pa
 
-      call heat_of_oil(case)
+      call effects%complete(case)
       call check_lubricant(case, error)
       if (allocated(error)) return
       alpha_per_pa = pressure_viscosity(case)

@@ -1,4 +1,4 @@
-!> Makes the plan of one case, before it runs.
+!> Makes the plan of a case, before it runs.
 module ehlwave_case_plan
    use ehlwave_accuracy_model, only: fitted_share
    use ehlwave_case_completion, only: case_conditions
@@ -25,13 +25,13 @@ module ehlwave_case_plan
 
 contains
 
-   !> Plan of a completed case. Fails when the case asks for something that cannot be run. A coarser or finer plan of a
-   !> case that has one takes its domain from that.
+   !> Plan of a completed case. Fails when the case cannot be run. A coarser or finer plan of a planned case keeps the
+   !> domain.
    subroutine make_plan(case, plan, error, domain_scale)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(out) :: plan
       type(error_t), allocatable, intent(inout) :: error
-      real(dp), intent(in), optional :: domain_scale   !! of the domain over that of the keys; absent: chosen
+      real(dp), intent(in), optional :: domain_scale   !! size of the domain over the keys' domain; absent: chosen
       type(case_t) :: copy
       real(dp) :: errors(2)
 
@@ -94,7 +94,6 @@ contains
                     "'transient' or 'both'")
          return
       end if
-      if (case%heat%is_given()) plan%levels = case%heat%levels + 1
       if (case%fields_every > 0) plan%field_sets = plan%steps/case%fields_every + 1
       plan%resolution = judge_resolution(plan%conditions, plan%surfaces, plan%x_min, plan%y_max, plan%hx, plan%hy, &
          plan%dt, plan%is_fitted)
@@ -121,8 +120,8 @@ contains
          "other wavelengths or slip, or response = 'transient' or 'harmonic'")
    end subroutine check_repetition
 
-   !> Refuse keys that contradict the accuracy asked for. A grid that only `largest_cells` limits is no contradiction:
-   !> the plan says what it can reach.
+   !> Refuse keys that contradict the requested accuracy. A limit by `largest_cells` alone is no contradiction: the
+   !> plan reports the accuracy it reaches.
    subroutine check_accuracy(case, plan, error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan

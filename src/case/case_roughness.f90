@@ -1,4 +1,4 @@
-!> The rough surfaces of a case: their wavelengths, and what they cannot be asked with.
+!> The rough surfaces of a case: their wavelengths, and refusals.
 module ehlwave_case_roughness
    use ehlwave_case_definition, only: case_t, roughness_t
    use ehlwave_errors, only: error_t, raise
@@ -27,7 +27,7 @@ contains
       end if
    end subroutine complete_roughness
 
-   !> Refuse a surface of a pair that stands still in a march: what it has would never enter, or be there all at once.
+   !> Refuse a stationary surface of a pair in a march: its pattern would never enter, or be present at once.
    subroutine check_moving(roughness, number, speed, error)
       type(roughness_t), intent(in) :: roughness
       character(len=*), intent(in) :: number
@@ -48,7 +48,7 @@ contains
    !> The group and key by which a surface is given, with its value.
    pure function given_as(roughness, number) result(text)
       type(roughness_t), intent(in) :: roughness
-      character(len=*), intent(in) :: number         !! of the surface in the names of groups: '' or '2'
+      character(len=*), intent(in) :: number         !! number of the surface in the names of groups: '' or '2'
       character(len=:), allocatable :: text
       if (roughness%is_measured()) then
          text = '&surface'//number//" file = '"//trim(roughness%surface_file)//"'"
@@ -99,11 +99,11 @@ contains
       if (max(x, y) <= 0) shorter = 0
    end function shorter
 
-   !> Refuse what a line contact does not take: heights, and waves along Y but those of a linear response that vary
-   !> along X, too.
+   !> Refuse surfaces outside line contacts: heights, and waves along Y, except linear responses that also vary
+   !> along X.
    subroutine check_line_roughness(case, roughness, number, line, error)
       type(case_t), intent(in) :: case
-      type(roughness_t), intent(in) :: roughness     !! of a surface
+      type(roughness_t), intent(in) :: roughness     !! roughness of a surface
       character(len=*), intent(in) :: number         !! as in `given_as`
       character(len=*), intent(in) :: line           !! ': a line contact ... '
       type(error_t), allocatable, intent(inout) :: error
@@ -125,8 +125,6 @@ contains
       else if (case%response /= 'harmonic') then
          call raise(error, '&waviness'//number//' wavelength_y_over_a = '//to_text(roughness%wavelength_y_over_a, 6)// &
                     line//way//'wavelength_y_over_a to 0')
-      else if (case%sensitivities) then
-         call raise(error, '&output sensitivities'//line//'has those of transverse waves only: remove it')
       end if
    end subroutine check_line_roughness
 
@@ -158,7 +156,7 @@ contains
       subroutine refuse_heights(heights, number)
          type(roughness_t), intent(in) :: heights
          character(len=*), intent(in) :: number
-         call raise(error, given//"' is that of one harmonic wave, "//given_as(heights, number)//' is none: remove '// &
+         call raise(error, given//"' needs a single harmonic wave, "//given_as(heights, number)//' is none: remove '// &
             '&surface'//number//" or set response to 'transient'")
       end subroutine refuse_heights
 

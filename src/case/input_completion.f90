@@ -17,18 +17,18 @@ module ehlwave_input_completion
 
    character(len=key_length), parameter :: moes_keys(3) = [character(len=key_length) :: 'load_parameter_m', &
       'lubricant_parameter_l', 'radius_ratio_d']
-   !> Those that say that there are dimensional data; reduced_modulus_pa may be given besides M, L and D.
+   !> Keys that mark dimensional data; reduced_modulus_pa may be given with M, L and D, too.
    character(len=key_length), parameter :: data_keys(6) = [character(len=key_length) :: 'radius_x_m', 'radius_y_m', &
       'load_n', 'load_n_per_m', 'mean_speed_m_per_s', 'viscosity_pa_s']
 
 contains
 
-   !> Complete a case as it was given: what its conditions are given by, what its accuracy chooses, and all that follows
-   !> from other keys. Refuses what is missing, what contradicts, and keys that do not apply; those that may idle are
-   !> left out then and count as not given. `place` begins every message.
+   !> Complete a case: its conditions, the choices of its accuracy, and all keys that follow from others. Refuses
+   !> missing, contradictory and inapplicable keys; keys that may idle are dropped and count as not given. `place`
+   !> begins every message.
    subroutine complete_input(input, list, place, error)
       type(case_input_t), intent(inout) :: input
-      type(key_list_t), intent(in) :: list         !! of all keys
+      type(key_list_t), intent(in) :: list         !! list of all keys
       character(len=*), intent(in) :: place
       type(error_t), allocatable, intent(inout) :: error
 
@@ -47,7 +47,7 @@ contains
    end subroutine complete_input
 
    !> S = 1 + ratio/2 from whichever is given, theory section 1; to twelve decimals, so that 0.98 and a ratio of -0.04
-   !> are one case.
+   !> are the same case.
    subroutine settle_slip(input, list, error)
       type(case_input_t), intent(inout) :: input
       type(key_list_t), intent(in) :: list
@@ -120,7 +120,7 @@ contains
          if (is_free('cells_x')) case%cells_x = 0
          if (is_free('cells_y')) case%cells_y = 0
          if (is_free('time_step_over_cell')) case%time_step_over_cell = 0
-         ! with truncated edges cases are what they were before errors had parts
+         ! with truncated edges cases are as before errors had parts
          if (is_free('settling_periods') .and. case%edges == 'flooded') case%settling_periods = 2
          if (is_free('step_tolerance')) case%step_tolerance = min(usual%step_tolerance, 0.1_dp*case%accuracy)
          if (is_free('tolerance')) case%tolerance = min(usual%tolerance, 1e-3_dp*case%accuracy)

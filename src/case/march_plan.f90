@@ -66,7 +66,7 @@ contains
       if (total/plan%dt > most_steps) then
          call raise(error, 'the case needs '//to_text(total/plan%dt, 3)//' time steps, more than '// &
                     to_text(most_steps)//': with slip_parameter near 0 the pattern hardly moves; use 0 for a '// &
-                    'pattern that stands still, or set &dynamics end_time')
+                    'stationary pattern, or set &dynamics end_time')
          return
       end if
       plan%steps = ceiling(total/plan%dt - 1e-9_dp)

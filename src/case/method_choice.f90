@@ -47,7 +47,7 @@ contains
    logical function suits_multigrid(case)
       type(case_t), intent(in) :: case
       suits_multigrid = case%radius_ratio_d > 0 .and. case%oil%is_newtonian() .and. case%deformation /= 'mlmi' &
-         .and. .not. (case%heat%is_given() .or. case%sensitivities .or. case%effects%refuse(by_fas) &
+         .and. .not. (case%sensitivities .or. case%effects%refuse(by_fas) &
                     .or. case%is_measured() .or. is_fitted(case)) &
          .and. .not. case%end_time > 0 .and. .not. abs(case%load_factor - 1) > 0 &
          .and. (case%response == 'harmonic' .or. .not. case%is_wavy())

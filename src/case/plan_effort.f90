@@ -31,7 +31,6 @@ module ehlwave_plan_effort
    !> Of the fitted scheme, steady states and responses; measured (64 to 768 cells, M = 100 to 10,000): 0.9 to 4 and 0.8
    !> to 1.7.
    real(dp), parameter :: fitted_cost = 2, fitted_response_cost = 1.2_dp
-   real(dp), parameter :: heat_cost = 4              !! of a steady state with heat, of one without; measured: 1.3 to 5
 
 contains
 
@@ -79,7 +78,6 @@ contains
       end associate
       if (case%oil%shear_limit_over_pressure > 0) plan%expected_work_units = plan%expected_work_units* &
          merge(fas_limit_cost, limit_cost, case%method == 'fas')
-      if (case%heat%is_given()) plan%expected_work_units = heat_cost*plan%expected_work_units
       if (plan%responds) plan%expected_work_units = plan%expected_work_units &
          + size(plan%surfaces%list)*merge(line_response_work_units, response_work_units, plan%conditions%is_line()) &
          *merge(fitted_response_cost, 1.0_dp, plan%is_fitted)*merge(1.0_dp, 1 - mean_share, case%mean_rise)

@@ -14,16 +14,16 @@ module ehlwave_resolution
       add_reason, times_as_wide
 
    ! Points per wave, in each direction and in time.
-   real(dp), parameter, public :: fewest_points_per_wave = 8        !! that resolve it, see theory eq. (E6)
-   real(dp), parameter, public :: wanted_points_per_wave = 16       !! of a chosen grid, unless an accuracy decides
-   real(dp), parameter, public :: telling_points_per_wave = 4       !! of a coarser grid that still tells an error
+   real(dp), parameter, public :: fewest_points_per_wave = 8        !! points that resolve it, see theory eq. (E6)
+   real(dp), parameter, public :: wanted_points_per_wave = 16  !! points of a chosen grid, unless an accuracy decides
+   real(dp), parameter, public :: telling_points_per_wave = 4  !! points of a coarser grid that still shows an error
 
    ! Mesh sizes over the inlet length.
    real(dp), parameter, public :: coarsest_inlet = 0.25_dp          !! largest hX that resolves it,
-   real(dp), parameter, public :: coarsest_side = 0.4_dp            !! and hY: measured, see judge_resolution
+   real(dp), parameter, public :: coarsest_side = 0.4_dp  !! largest hY: measured, see judge_resolution
    real(dp), parameter, public :: wanted_inlet = 0.2_dp             !! hX of a chosen grid, unless an accuracy decides,
-   real(dp), parameter, public :: wanted_line_inlet = 0.1_dp        !! and of one of a line contact, which costs little
-   real(dp), parameter, public :: telling_inlet = 0.6_dp            !! largest hX of a coarser grid that still tells an
+   real(dp), parameter, public :: wanted_line_inlet = 0.1_dp        !! hX for a line contact, which costs little
+   real(dp), parameter, public :: telling_inlet = 0.6_dp            !! largest hX of a coarser grid that still shows an
                                                                     !! error
 
    !> Times as wide as all of these a mesh may be with the fitted scheme. Measured: with 0.45 to 0.5 inlet lengths the
@@ -32,7 +32,7 @@ module ehlwave_resolution
 
    real(dp), parameter, public :: narrowest_inlet_gap = 4/3.0_dp    !! gap at the inlet boundary over the film thickness
    real(dp), parameter, public :: flooded_inlet_gap = 8             !! from which on the film does not feel the boundary
-   real(dp), parameter, public :: thick_film_gap = 40               !! the gap wanted on all sides of a film above 1
+   real(dp), parameter, public :: thick_film_gap = 40               !! gap needed on all sides of a film above 1
 
    real(dp), parameter, public :: touching_film = 0.03_dp           !! smallest film over the smooth central one, see
                                                                     !! there
@@ -44,17 +44,17 @@ module ehlwave_resolution
       real(dp) :: samples = 0              !! time steps per period, 0 in steady cases
       real(dp) :: inlet_gap = 0            !! see inlet_gap
       logical :: is_resolved = .true.
-      character(len=:), allocatable :: reason   !! what is too coarse and what would do; '' when resolved
+      character(len=:), allocatable :: reason   !! coarse quantity and its remedy; '' when resolved
    end type resolution_t
 
 contains
 
-   !> Length of the inlet pressure sweep in X: that of a piezoviscous inlet, (L/(gamma M))^(1/2), or that of an
-   !> isoviscous one, lambdabar^(2/5) (Snoeijer, Eggers and Venner 2013), whichever is longer; at most half the contact.
+   !> Length of the inlet pressure sweep in X: piezoviscous inlet, (L/(gamma M))^(1/2), or isoviscous inlet,
+   !> lambdabar^(2/5) (Snoeijer, Eggers and Venner 2013), whichever is longer; at most half the contact.
    !>
-   !> Measured (central film on 64^2 to 512^2 cells against the extrapolated one, M = 30 to 3000, D = 1): with
-   !> hX = lambdabar^(2/5)/4 it is 4 to 6 per cent off for L = 0 to 3; (L/(gamma M))^(1/2) alone asks for grids up to
-   !> ten times finer there.
+   !> Measured (central film on 64^2 to 512^2 cells against the extrapolated film, M = 30 to 3000, D = 1): with hX =
+   !> lambdabar^(2/5)/4 it is 4 to 6 per cent off for L = 0 to 3; (L/(gamma M))^(1/2) alone requires grids up to ten
+   !> times finer there.
    !>
    !> gamma M is the `steepness` of the conditions. Measured (L = 11, M = 100): with hX = 0.17 of it the central film is
    !> 7 per cent off.
@@ -65,9 +65,9 @@ contains
 
    !> Gap of the dry Hertzian contact at the inlet boundary on the axis, in units of the film thickness of the formula.
    !> Measured against domains four times as long, L = 0 and 12.05, D = 0.005 to 1: the film is 5 per cent too thin at
-   !> 8, 8 to 20 per cent at 2 to 3, 20 to 25 per cent at 1.2, and has nothing to do with the flooded one below 0.1.
-   !> That holds for H < 1. A thicker film hardly deforms the surfaces, and pressure spreads far: M = 3, D = 1 is still
-   !> 34 per cent off at 3.5 on the sides and 12 per cent at 37.
+   !> 8, 8 to 20 per cent at 2 to 3, 20 to 25 per cent at 1.2, and is unrelated to the flooded film below 0.1. That
+   !> holds for H < 1. A thicker film hardly deforms the surfaces, and pressure spreads far: M = 3, D = 1 is still 34
+   !> per cent off at 3.5 on the sides and 12 per cent at 37.
    pure real(dp) function inlet_gap(conditions, x_min)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x_min   !! X of the inlet boundary, -1 or less
@@ -86,17 +86,17 @@ contains
    !> per cent, waves of a quarter of a, 128 and 256 cells): time steps converge down to 0.04 to 2 per cent of the
    !> central film, then none does, on the finer grid either.
    function touching_reason(smallest_film, central_film) result(reason)
-      real(dp), intent(in) :: smallest_film   !! of all solutions of the case, H
+      real(dp), intent(in) :: smallest_film   !! smallest of all solutions of the case, H
       real(dp), intent(in) :: central_film    !! smooth H(0,0); NaN: none
       character(len=:), allocatable :: reason
       reason = thin_reason('the waves touch the other surface: the film falls to ', smallest_film, central_film, &
                            'smooth central one', 'reduce amplitude_over_film')
    end function touching_reason
 
-   !> The same of smooth surfaces. A line contact with a film of 1.1 per cent at its outlet had 2.4 on twice the cells.
+   !> Reason for smooth surfaces. A line contact with a film of 1.1 per cent at its outlet had 2.4 on twice the cells.
    function closing_reason(smallest_film, central_film) result(reason)
       real(dp), intent(in) :: smallest_film   !! H of the smooth contact,
-      real(dp), intent(in) :: central_film    !! and H(0,0); NaN: none
+      real(dp), intent(in) :: central_film    !! H(0,0); NaN: none
       character(len=:), allocatable :: reason
       reason = thin_reason('the smallest film is ', smallest_film, central_film, 'central one', 'use more cells')
    end function closing_reason
@@ -111,7 +111,7 @@ contains
          ' per cent of the '//whole//', at least '//to_text(100*touching_film, 2)//' needed: '//advice
    end function thin_reason
 
-   !> Put a reason, if there is one, behind those found so far.
+   !> Append a reason, if any, to earlier reasons.
    pure subroutine add_reason(reasons, reason)
       character(len=:), allocatable, intent(inout) :: reasons
       character(len=*), intent(in) :: reason
@@ -119,7 +119,7 @@ contains
       reasons = reasons//reason
    end subroutine add_reason
 
-   !> Times as wide a mesh may be by the inlet as that of the averaged scheme.
+   !> Width of the mesh allowed by the inlet, over the averaged scheme's.
    pure real(dp) function times_as_wide(is_fitted)
       logical, intent(in) :: is_fitted   !! scheme
       times_as_wide = merge(fitted_inlet, 1.0_dp, is_fitted)

@@ -87,7 +87,7 @@ contains
    !> Whether the fitted scheme is written for what the case asks.
    logical function suits(case)
       type(case_t), intent(in) :: case
-      suits = .not. (case%heat%is_given() .or. case%effects%refuse(by_fitted_scheme))
+      suits = .not. case%effects%refuse(by_fitted_scheme)
    end function suits
 
 end module ehlwave_scheme_choice

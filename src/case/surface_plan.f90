@@ -1,4 +1,4 @@
-!> The rough surfaces of a case, and how long a measured one is followed.
+!> The rough surfaces of a case, and the time that a measured surface is followed.
 module ehlwave_surface_plan
    use ehlwave_case_definition, only: case_t, roughness_t
    use ehlwave_case_files, only: case_file_t, note_digest
@@ -17,8 +17,8 @@ module ehlwave_surface_plan
 
 contains
 
-   !> The list of surfaces, and the digest of the heights of a measured one among the files of the case. Fails where a
-   !> measured one cannot be used.
+   !> The list of surfaces, and the digest of measured heights among the files of the case. Fails where a measured
+   !> surface cannot be used.
    subroutine plan_surfaces(case, conditions, surfaces, files, error)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
@@ -34,11 +34,11 @@ contains
       surfaces%list = list
    end subroutine plan_surfaces
 
-   !> One surface of the list.
+   !> A surface of the list.
    subroutine plan_surface(case, roughness, number, speed, conditions, waviness, files, error)
       type(case_t), intent(in) :: case
-      type(roughness_t), intent(in) :: roughness     !! of the surface
-      character(len=*), intent(in) :: number         !! of the surface in the names of groups: '' or '2'
+      type(roughness_t), intent(in) :: roughness     !! roughness of the surface
+      character(len=*), intent(in) :: number         !! number of the surface in the names of groups: '' or '2'
       real(dp), intent(in) :: speed                  !! over the mean speed
       type(conditions_t), intent(in) :: conditions
       type(waviness_t), intent(out) :: waviness
@@ -67,7 +67,7 @@ contains
       real(dp), intent(in) :: speed
       type(conditions_t), intent(in) :: conditions
       type(waviness_t), intent(out) :: waviness
-      character(len=identity_length), intent(out) :: digest   !! of the numbers in the file
+      character(len=identity_length), intent(out) :: digest   !! digest of the numbers in the file
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: key
       type(surface_t) :: surface
@@ -99,7 +99,7 @@ contains
 
    !> When the leading end of the last measured surface is at the contact centre, and when its trailing end is, in T.
    pure subroutine surface_times(surfaces, first, last)
-      type(surfaces_t), intent(in) :: surfaces   !! one is measured, or more
+      type(surfaces_t), intent(in) :: surfaces   !! at least one is measured
       real(dp), intent(out) :: first, last
       integer :: n
       first = 0
@@ -122,10 +122,10 @@ contains
       x_m = a_m*(measured%surface%length - measured%start - measured%slip*time)
    end function surface_positions
 
-   !> One line about a rough surface, for the plan.
+   !> A line about a rough surface, for the plan.
    function surface_text(roughness, waviness, conditions) result(text)
       type(roughness_t), intent(in) :: roughness
-      type(waviness_t), intent(in) :: waviness   !! of the same surface
+      type(waviness_t), intent(in) :: waviness   !! waves of the same surface
       type(conditions_t), intent(in) :: conditions
       character(len=:), allocatable :: text
       if (allocated(waviness%surface)) then

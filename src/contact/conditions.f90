@@ -128,7 +128,7 @@ contains
             call raise(error, given//'a smaller lubricant_parameter_l')
          end if
       else if (.not. (self%lambdabar > 0 .and. self%lambdabar < huge(self%lambdabar))) then
-         call raise(error, given//'lambdabar = '//to_text(self%lambdabar, 4)//', beyond what numbers hold: '// &
+         call raise(error, given//'lambdabar = '//to_text(self%lambdabar, 4)//', beyond the range of numbers: '// &
                     'give a '//trim(merge('smaller', 'larger ', self%m > 1))//' load_parameter_m')
       end if
    end subroutine check_range
@@ -238,7 +238,7 @@ contains
       do i = 1, size(key)
          if (value(i) > 0 .or. (data%load_n_per_m > 0 .and. any(key(i) == ['radius_y_m', 'load_n    ']))) cycle
          call raise(error, trim(key(i))//' is missing: dimensional conditions need all of radius_x_m, radius_y_m, '// &
-            'reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s; those of a line contact load_n_per_m '// &
+            'reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s; a line contact needs load_n_per_m '// &
             'in place of radius_y_m and load_n')
          return
       end do

@@ -16,6 +16,8 @@ module ehlwave_effect_keys
       procedure(is_given), deferred :: is_given
       procedure(refuses), deferred, nopass :: refuses
       procedure(changing), deferred :: changing
+      procedure, nopass :: finds_temperatures
+      procedure, nopass :: empty_group
    end type effect_keys_t
 
    abstract interface
@@ -51,5 +53,17 @@ module ehlwave_effect_keys
       end function changing
 
    end interface
+
+contains
+
+   !> Whether the effect finds temperatures, without which the contact is isothermal.
+   pure logical function finds_temperatures()
+      finds_temperatures = .false.
+   end function finds_temperatures
+
+   !> The group of the effect, where an empty one is a mistake, and a message; both stay as they are otherwise.
+   pure subroutine empty_group(group, message)
+      character(len=:), allocatable, intent(inout) :: group, message
+   end subroutine empty_group
 
 end module ehlwave_effect_keys

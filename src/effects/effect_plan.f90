@@ -1,6 +1,6 @@
-!> One physical effect in the plan of a case: what it checks, and what it needs of grid, time steps and work.
+!> A physical effect in the plan of a case: checks, and requirements on grid, time steps and work.
 !>
-!> An effect overrides what concerns it; the procedures here do nothing.
+!> An effect overrides the procedures that concern it; the procedures here do nothing.
 module ehlwave_effect_plan
    use ehlwave_bare_plan, only: bare_plan_t
    use ehlwave_case_definition, only: case_t
@@ -13,6 +13,8 @@ module ehlwave_effect_plan
 
    type, abstract, public :: effect_plan_t
    contains
+      procedure, nopass :: complete
+      procedure, nopass :: check_data
       procedure, nopass :: check
       procedure :: make
       procedure :: is_even
@@ -30,6 +32,17 @@ module ehlwave_effect_plan
    end type effect_plan_t
 
 contains
+
+   !> Give other parts of a case their data from the effect.
+   subroutine complete(case)
+      type(case_t), intent(inout) :: case
+   end subroutine complete
+
+   !> Refuse data of the effect that are not complete, before the case is completed.
+   subroutine check_data(case, error)
+      type(case_t), intent(in) :: case
+      type(error_t), allocatable, intent(inout) :: error
+   end subroutine check_data
 
    !> Refuse an input that contradicts the effect.
    subroutine check(case, error)
@@ -66,7 +79,7 @@ contains
       character(len=:), allocatable, intent(inout) :: reason
    end subroutine limit_mesh
 
-   !> Note in the plan's resolution what the chosen grid does not resolve.
+   !> Note in the plan's resolution any unresolved scale of the chosen grid.
    subroutine judge(self, plan)
       class(effect_plan_t), intent(inout) :: self
       class(bare_plan_t), intent(inout) :: plan
@@ -108,7 +121,7 @@ contains
    !> Refuse an effect that the run does not show.
    subroutine check_run(case, kind, end_time, error)
       type(case_t), intent(in) :: case
-      integer, intent(in) :: kind                    !! of run, see `bare_plan`
+      integer, intent(in) :: kind                    !! kind of run, see `bare_plan`
       real(dp), intent(in) :: end_time               !! T to which is marched
       type(error_t), allocatable, intent(inout) :: error
    end subroutine check_run

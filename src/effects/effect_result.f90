@@ -1,8 +1,10 @@
 !> One physical effect in the result of a case: its steady state, its numbers, and its errors.
 !>
-!> An effect overrides what concerns it; the procedures here do nothing.
+!> An effect overrides the procedures that concern it; the procedures here do nothing.
 module ehlwave_effect_result
+   use ehlwave_bare_result, only: bare_result_t
    use ehlwave_case_definition, only: case_t
+   use ehlwave_energy, only: energy_t
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t
@@ -17,15 +19,22 @@ module ehlwave_effect_result
    implicit none (type, external)
    private
 
+   ! Places of quantities and report lines.
+   integer, parameter, public :: after_film = 1, after_friction = 2
+
    type, abstract, public :: effect_result_t
    contains
+      procedure, nopass :: place
       procedure :: solve
       procedure :: take
+      procedure :: describe_state
       procedure :: warning
+      procedure :: film_error
+      procedure :: steepening
       procedure :: error_factor
       procedure :: edge_error
       procedure :: lacks_oil_outside
-      procedure :: widen_errors
+      procedure :: add_own_errors
       procedure :: add_errors
       procedure :: advice
       procedure, nopass :: set_march
@@ -37,14 +46,21 @@ module ehlwave_effect_result
 
 contains
 
+   !> Place of the quantities and of the report lines.
+   pure integer function place()
+      place = after_film
+   end function place
+
    !> Bring the effect into the steady state of smooth surfaces that all levels have without it.
-   subroutine solve(self, plan, multigrid, rescue, limits, coarse_tolerance)
+   subroutine solve(self, case, plan, multigrid, rescue, limits, coarse_tolerance, energy)
       class(effect_result_t), intent(inout) :: self
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(full_multigrid_t), intent(inout) :: multigrid
       type(rescue_t), intent(inout) :: rescue
       type(solve_limits_t), intent(in) :: limits     !! for the finest level
       real(dp), intent(in) :: coarse_tolerance       !! for the others
+      type(energy_t), intent(inout) :: energy        !! energy equation of a steady state with temperatures
    end subroutine solve
 
    !> Take the numbers of the converged steady state.
@@ -55,13 +71,34 @@ contains
       real(dp), intent(in) :: work                   !! operations so far
    end subroutine take
 
-   !> Warning of effects that the model leaves out and that matter here; '': none.
-   function warning(self, grid) result(text)
+   !> Append to the name of the steady state in messages, as " with heat", and the reason why it was not found.
+   subroutine describe_state(self, name, failure)
       class(effect_result_t), intent(in) :: self
+      character(len=:), allocatable, intent(inout) :: name, failure
+   end subroutine describe_state
+
+   !> Warning of effects that the model leaves out and that matter here; '': none.
+   function warning(self, case, plan, grid) result(text)
+      class(effect_result_t), intent(in) :: self
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
       type(grid_t), intent(in) :: grid
       character(len=:), allocatable :: text
       text = ''
    end function warning
+
+   !> Relative error of the film by the solution of the effect.
+   real(dp) function film_error(self) result(error)
+      class(effect_result_t), intent(in) :: self
+      error = 0
+   end function film_error
+
+   !> Increase of the inlet's steepness by the effect, over 1.
+   real(dp) function steepening(self, film)
+      class(effect_result_t), intent(in) :: self
+      real(dp), intent(in) :: film                   !! H(0,0)
+      steepening = 0
+   end function steepening
 
    !> Factor of the film error that grids or models show.
    real(dp) function error_factor(self) result(factor)
@@ -82,12 +119,13 @@ contains
       lacks_oil_outside = .false.
    end function lacks_oil_outside
 
-   !> Widen the errors of the own numbers, once that of the film is known.
-   subroutine widen_errors(self, grid, film_error)
+   !> Add the errors by the solution of the effect to the errors of film and friction, and widen the errors of its own
+   !> results.
+   subroutine add_own_errors(self, grid, result)
       class(effect_result_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
-      real(dp), intent(in) :: film_error             !! relative
-   end subroutine widen_errors
+      class(bare_result_t), intent(inout) :: result
+   end subroutine add_own_errors
 
    !> Put the part of the effect into the errors of film and Ad/Ai.
    subroutine add_errors(self, k, case, plan, film, ratio)
@@ -107,17 +145,18 @@ contains
       text = ''
    end function advice
 
-   !> Give a march what the effect changes in time.
+   !> Give a march the changes of the effect in time.
    subroutine set_march(case, settings)
       type(case_t), intent(in) :: case
       type(march_settings_t), intent(inout) :: settings
    end subroutine set_march
 
    !> Take the fields of the last solution.
-   subroutine take_fields(self, plan, level)
+   subroutine take_fields(self, plan, level, energy)
       class(effect_result_t), intent(inout) :: self
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level
+      type(energy_t), intent(in) :: energy
    end subroutine take_fields
 
    !> Write the fields.
@@ -127,16 +166,18 @@ contains
    end subroutine write_fields
 
    !> Add the quantities of the result; those that a case lacks do not exist.
-   subroutine add_quantities(self, list, plan)
+   subroutine add_quantities(self, list, case, plan)
       class(effect_result_t), intent(in) :: self
       type(quantity_list_t), intent(inout) :: list
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
    end subroutine add_quantities
 
    !> Print the lines of the report.
-   subroutine print(self, unit)
+   subroutine print(self, unit, plan)
       class(effect_result_t), intent(in) :: self
       integer, intent(in) :: unit
+      type(case_plan_t), intent(in) :: plan
    end subroutine print
 
 end module ehlwave_effect_result

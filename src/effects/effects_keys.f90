@@ -1,20 +1,24 @@
 !> The list of effects in the input of a case. A new effect is a component and a line of `effect`.
 module ehlwave_effects_keys
    use ehlwave_effect_keys, only: effect_keys_t
+   use ehlwave_heat_keys, only: heat_keys_t
    use ehlwave_key_list, only: key_list_t
    use ehlwave_starvation_keys, only: starvation_keys_t
    implicit none (type, external)
    private
 
-   integer, parameter, public :: effect_count = 1
+   integer, parameter, public :: effect_count = 2
 
    type, public :: effects_keys_t
+      type(heat_keys_t) :: heat
       type(starvation_keys_t) :: starvation
    contains
       procedure :: effect
       procedure :: visit
       procedure :: refuse
       procedure :: changing
+      procedure :: are_warm
+      procedure, nopass :: find_empty_group
    end type effects_keys_t
 
 contains
@@ -25,6 +29,7 @@ contains
       integer, intent(in) :: k
       class(effect_keys_t), pointer :: one
       select case (k)
+      case (1); one => self%heat
       case default; one => self%starvation
       end select
    end function effect
@@ -67,5 +72,29 @@ contains
          if (name == '') name = one%changing()
       end do
    end function changing
+
+   !> Whether an effect of the case finds temperatures.
+   logical function are_warm(self)
+      class(effects_keys_t), intent(in), target :: self
+      class(effect_keys_t), pointer :: one
+      integer :: k
+      are_warm = .false.
+      do k = 1, effect_count
+         one => self%effect(k)
+         if (one%is_given()) are_warm = are_warm .or. one%finds_temperatures()
+      end do
+   end function are_warm
+
+   !> The group of effect number k, where an empty one is a mistake, and a message; '' otherwise.
+   subroutine find_empty_group(k, group, message)
+      integer, intent(in) :: k
+      character(len=:), allocatable, intent(out) :: group, message
+      type(effects_keys_t), target :: effects
+      class(effect_keys_t), pointer :: one
+      one => effects%effect(k)
+      group = ''
+      message = ''
+      call one%empty_group(group, message)
+   end subroutine find_empty_group
 
 end module ehlwave_effects_keys

@@ -6,6 +6,7 @@ module ehlwave_effects_plan
    use ehlwave_effects_keys, only: effect_count
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_errors, only: error_t
+   use ehlwave_heat_plan, only: heat_plan_t
    use ehlwave_kinds, only: dp
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_starvation_plan, only: starvation_plan_t
@@ -14,9 +15,12 @@ module ehlwave_effects_plan
    public :: error_name, error_help
 
    type, public :: effects_plan_t
+      type(heat_plan_t) :: heat
       type(starvation_plan_t) :: starvation
    contains
       procedure :: effect
+      procedure :: complete
+      procedure :: check_data
       procedure :: check
       procedure :: make
       procedure :: are_even
@@ -39,6 +43,7 @@ contains
       integer, intent(in) :: k
       class(effect_plan_t), pointer :: one
       select case (k)
+      case (1); one => self%heat
       case default; one => self%starvation
       end select
    end function effect
@@ -62,6 +67,31 @@ contains
       one => effects%effect(k)
       help = one%error_help()
    end function error_help
+
+   !> Give other parts of a case their data from its effects.
+   subroutine complete(self, case)
+      class(effects_plan_t), intent(in), target :: self
+      type(case_t), intent(inout) :: case
+      class(effect_plan_t), pointer :: one
+      integer :: k
+      do k = 1, effect_count
+         one => self%effect(k)
+         call one%complete(case)
+      end do
+   end subroutine complete
+
+   !> Refuse data of the effects that are not complete, before the case is completed.
+   subroutine check_data(self, case, error)
+      class(effects_plan_t), intent(in), target :: self
+      type(case_t), intent(in) :: case
+      type(error_t), allocatable, intent(inout) :: error
+      class(effect_plan_t), pointer :: one
+      integer :: k
+      do k = 1, effect_count
+         one => self%effect(k)
+         if (.not. allocated(error)) call one%check_data(case, error)
+      end do
+   end subroutine check_data
 
    !> Refuse an input that contradicts an effect.
    subroutine check(self, case, error)
@@ -131,7 +161,7 @@ contains
       end do
    end subroutine limit_mesh
 
-   !> Note in the plan's resolution what the grid does not resolve of the effects.
+   !> Note in the plan's resolution any scale of the effects that the grid does not resolve.
    subroutine judge(self, plan)
       class(effects_plan_t), intent(inout), target :: self
       class(bare_plan_t), intent(inout) :: plan
@@ -155,7 +185,7 @@ contains
       end do
    end subroutine expect_ratio_error
 
-   !> Multiply the cost of steady states and of time steps by what the effects cost.
+   !> Multiply the cost of steady states and of time steps by the cost factors of the effects.
    subroutine multiply_cost(self, steady, step)
       class(effects_plan_t), intent(in), target :: self
       real(dp), intent(inout) :: steady, step
@@ -186,7 +216,7 @@ contains
    subroutine check_run(self, case, kind, end_time, error)
       class(effects_plan_t), intent(in), target :: self
       type(case_t), intent(in) :: case
-      integer, intent(in) :: kind                    !! of run, see `bare_plan`
+      integer, intent(in) :: kind                    !! kind of run, see `bare_plan`
       real(dp), intent(in) :: end_time               !! T to which is marched
       type(error_t), allocatable, intent(inout) :: error
       class(effect_plan_t), pointer :: one

@@ -1,12 +1,15 @@
 !> The list of effects in the result of a case. A new effect is a component and a line of `effect`.
 module ehlwave_effects_result
+   use ehlwave_bare_result, only: bare_result_t
    use ehlwave_case_definition, only: case_t
    use ehlwave_effect_result, only: effect_result_t
    use ehlwave_effects_keys, only: effect_count
+   use ehlwave_energy, only: energy_t
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t
    use ehlwave_hdf5_file, only: hdf5_file_t
+   use ehlwave_heat_result, only: heat_result_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_settings, only: march_settings_t
@@ -19,16 +22,20 @@ module ehlwave_effects_result
    private
 
    type, public :: effects_result_t
+      type(heat_result_t) :: heat
       type(starvation_result_t) :: starvation
    contains
       procedure :: effect
       procedure :: solve
+      procedure :: describe_state
+      procedure :: film_error
+      procedure :: steepening
+      procedure :: add_own_errors
       procedure :: take
       procedure :: warning
       procedure :: error_factor
       procedure :: edge_error
       procedure :: lacks_oil_outside
-      procedure :: widen_errors
       procedure :: add_errors
       procedure :: advice
       procedure :: set_march
@@ -46,23 +53,26 @@ contains
       integer, intent(in) :: k
       class(effect_result_t), pointer :: one
       select case (k)
+      case (1); one => self%heat
       case default; one => self%starvation
       end select
    end function effect
 
    !> Bring the effects into the steady state of smooth surfaces, one after another.
-   subroutine solve(self, plan, multigrid, rescue, limits, coarse_tolerance)
+   subroutine solve(self, case, plan, multigrid, rescue, limits, coarse_tolerance, energy)
       class(effects_result_t), intent(inout), target :: self
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(full_multigrid_t), intent(inout) :: multigrid
       type(rescue_t), intent(inout) :: rescue
       type(solve_limits_t), intent(in) :: limits     !! for the finest level
       real(dp), intent(in) :: coarse_tolerance       !! for the others
+      type(energy_t), intent(inout) :: energy        !! energy equation of a steady state with temperatures
       class(effect_result_t), pointer :: one
       integer :: k
       do k = 1, effect_count
          one => self%effect(k)
-         call one%solve(plan, multigrid, rescue, limits, coarse_tolerance)
+         call one%solve(case, plan, multigrid, rescue, limits, coarse_tolerance, energy)
       end do
    end subroutine solve
 
@@ -81,8 +91,10 @@ contains
    end subroutine take
 
    !> Warnings of effects that the model leaves out and that matter here.
-   function warning(self, grid) result(text)
+   function warning(self, case, plan, grid) result(text)
       class(effects_result_t), intent(in), target :: self
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
       type(grid_t), intent(in) :: grid
       character(len=:), allocatable :: text
       class(effect_result_t), pointer :: one
@@ -90,8 +102,8 @@ contains
       text = ''
       do k = 1, effect_count
          one => self%effect(k)
-         if (text /= '' .and. one%warning(grid) /= '') text = text//'; '
-         text = text//one%warning(grid)
+         if (text /= '' .and. one%warning(case, plan, grid) /= '') text = text//'; '
+         text = text//one%warning(case, plan, grid)
       end do
    end function warning
 
@@ -132,19 +144,6 @@ contains
       end do
    end function lacks_oil_outside
 
-   !> Widen the errors of the own numbers, once that of the film is known.
-   subroutine widen_errors(self, grid, film_error)
-      class(effects_result_t), intent(inout), target :: self
-      type(grid_t), intent(in) :: grid
-      real(dp), intent(in) :: film_error             !! relative
-      class(effect_result_t), pointer :: one
-      integer :: k
-      do k = 1, effect_count
-         one => self%effect(k)
-         call one%widen_errors(grid, film_error)
-      end do
-   end subroutine widen_errors
-
    !> Put the parts of the effects into the errors of film and Ad/Ai.
    subroutine add_errors(self, case, plan, film, ratio)
       class(effects_result_t), intent(in), target :: self
@@ -174,7 +173,7 @@ contains
       end do
    end function advice
 
-   !> Give a march what the effects change in time.
+   !> Give a march the changes of the effects in time.
    subroutine set_march(self, case, settings)
       class(effects_result_t), intent(in), target :: self
       type(case_t), intent(in) :: case
@@ -188,15 +187,16 @@ contains
    end subroutine set_march
 
    !> Take the fields of the last solution.
-   subroutine take_fields(self, plan, level)
+   subroutine take_fields(self, plan, level, energy)
       class(effects_result_t), intent(inout), target :: self
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level
+      type(energy_t), intent(in) :: energy
       class(effect_result_t), pointer :: one
       integer :: k
       do k = 1, effect_count
          one => self%effect(k)
-         call one%take_fields(plan, level)
+         call one%take_fields(plan, level, energy)
       end do
    end subroutine take_fields
 
@@ -213,28 +213,82 @@ contains
    end subroutine write_fields
 
    !> Add the quantities of the result.
-   subroutine add_quantities(self, list, plan)
+   subroutine add_quantities(self, place, list, case, plan)
       class(effects_result_t), intent(in), target :: self
+      integer, intent(in) :: place                   !! where they are, see `effect_result`
       type(quantity_list_t), intent(inout) :: list
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       class(effect_result_t), pointer :: one
       integer :: k
       do k = 1, effect_count
          one => self%effect(k)
-         call one%add_quantities(list, plan)
+         if (one%place() == place) call one%add_quantities(list, case, plan)
       end do
    end subroutine add_quantities
 
    !> Print the lines of the report.
-   subroutine print(self, unit)
+   subroutine print(self, place, unit, plan)
       class(effects_result_t), intent(in), target :: self
+      integer, intent(in) :: place                   !! where they are, see `effect_result`
       integer, intent(in) :: unit
+      type(case_plan_t), intent(in) :: plan
       class(effect_result_t), pointer :: one
       integer :: k
       do k = 1, effect_count
          one => self%effect(k)
-         call one%print(unit)
+         if (one%place() == place) call one%print(unit, plan)
       end do
    end subroutine print
+
+   !> Name of the steady state in messages, and reasons why it was not found.
+   subroutine describe_state(self, name, failure)
+      class(effects_result_t), intent(in), target :: self
+      character(len=:), allocatable, intent(inout) :: name, failure
+      class(effect_result_t), pointer :: one
+      integer :: k
+      do k = 1, effect_count
+         one => self%effect(k)
+         call one%describe_state(name, failure)
+      end do
+   end subroutine describe_state
+
+   !> Relative error of the film by the solution of the effects.
+   real(dp) function film_error(self)
+      class(effects_result_t), intent(in), target :: self
+      class(effect_result_t), pointer :: one
+      integer :: k
+      film_error = 0
+      do k = 1, effect_count
+         one => self%effect(k)
+         film_error = film_error + one%film_error()
+      end do
+   end function film_error
+
+   !> Increase of the inlet's steepness by the effects, over 1.
+   real(dp) function steepening(self, film)
+      class(effects_result_t), intent(in), target :: self
+      real(dp), intent(in) :: film                   !! H(0,0)
+      class(effect_result_t), pointer :: one
+      integer :: k
+      steepening = 0
+      do k = 1, effect_count
+         one => self%effect(k)
+         steepening = steepening + one%steepening(film)
+      end do
+   end function steepening
+
+   !> Add the errors by the solution of the effects to those of film and friction, and widen those of their numbers.
+   subroutine add_own_errors(self, grid, result)
+      class(effects_result_t), intent(inout), target :: self
+      type(grid_t), intent(in) :: grid
+      class(bare_result_t), intent(inout) :: result
+      class(effect_result_t), pointer :: one
+      integer :: k
+      do k = 1, effect_count
+         one => self%effect(k)
+         call one%add_own_errors(grid, result)
+      end do
+   end subroutine add_own_errors
 
 end module ehlwave_effects_result

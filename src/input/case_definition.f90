@@ -1,9 +1,8 @@
-!> The input of one case: every key with its default. `case_keys` has their meaning and bounds.
+!> The input of a case: every key with its default. `case_keys` has their meaning and bounds.
 module ehlwave_case_definition
    use ehlwave_case_key, only: name_length => choice_length
    use ehlwave_conditions, only: contact_data_t
    use ehlwave_effects_keys, only: effects_keys_t
-   use ehlwave_heat_data, only: heat_data_t
    use ehlwave_kinds, only: dp
    use ehlwave_number_table, only: path_length
    use ehlwave_oil, only: oil_t
@@ -13,10 +12,10 @@ module ehlwave_case_definition
 
    real(dp), parameter :: no_ratio = huge(1.0_dp)        ! not given; 0 is a ratio
 
-   !> Roughness of one surface: waves, or measured heights.
+   !> Roughness of a surface: waves, or measured heights.
    type, public :: roughness_t
       character(len=name_length) :: orientation = 'none'
-      real(dp) :: wavelength_over_a = 0                  !! of a custom pattern the shorter one, completed
+      real(dp) :: wavelength_over_a = 0                  !! shorter wavelength of a custom pattern, completed
       real(dp) :: wavelength_x_over_a = 0, wavelength_y_over_a = 0   !! 0: no variation; completed
       logical :: oblique = .false.
       real(dp) :: amplitude_over_film = 0.2_dp
@@ -27,18 +26,16 @@ module ehlwave_case_definition
       procedure :: varies_along
    end type roughness_t
 
-   !> All keys, in the order of the groups. The roughness is that of the first surface, &waviness and &surface.
+   !> All keys, in the order of the groups. The roughness belongs to the first surface, &waviness and &surface.
    type, extends(roughness_t), public :: case_t
       ! &conditions
       logical :: is_dimensional = .false.                !! given by dimensional data, from which M, L and D follow
       type(contact_data_t) :: data
       real(dp) :: load_parameter_m = 0, lubricant_parameter_l = 0, radius_ratio_d = 0
       real(dp) :: slip_parameter = 1
-      real(dp) :: slide_to_roll_ratio = no_ratio         !! the same in other words: completed from S, or S from it
+      real(dp) :: slide_to_roll_ratio = no_ratio         !! slip in another form: completed from S, or S from it
       ! &lubricant
       type(oil_t) :: oil
-      ! &heat
-      type(heat_data_t) :: heat
       ! &waviness
       character(len=name_length) :: response = 'transient'
       ! &waviness2 and &surface2
@@ -48,26 +45,26 @@ module ehlwave_case_definition
       real(dp) :: x_min = -2.5_dp, x_max = 1.5_dp, y_max = 2
       integer :: cells_x = 256, cells_y = 256            !! 0: chosen by the plan; cells_y of a line contact: completed
                                                          !! to 1
-      integer :: largest_cells = 0                       !! limit of what the plan chooses, completed
+      integer :: largest_cells = 0                       !! limit of the choices of the plan, completed
       character(len=name_length) :: domain = 'auto'
       character(len=name_length) :: edges = 'flooded'
       ! &solver
       real(dp) :: tolerance = 1e-6_dp
       real(dp) :: step_tolerance = 1e-4_dp
-      real(dp) :: response_tolerance = 1e-5_dp           !! of the linear response
+      real(dp) :: response_tolerance = 1e-5_dp           !! tolerance of the linear response
       real(dp) :: time_step_over_cell = 1                !! 0: chosen by the plan
       integer :: largest_steps = 60
       integer :: largest_total_steps = 0                 !! 0: chosen by the plan
       integer :: settling_periods = 1
       character(len=name_length) :: method = 'auto'      !! completed to that in use
       logical :: has_free_tolerance = .false.            !! no key: none was given for steady states
-      character(len=:), allocatable :: idle              !! no key: what the plan says of keys without effect
-      character(len=name_length) :: cycle = ''           !! of method = 'fas', completed
+      character(len=:), allocatable :: idle              !! no key: report of the plan on keys without effect
+      character(len=name_length) :: cycle = ''           !! cycle of method = 'fas', completed
       character(len=name_length) :: deformation = 'auto'
-      character(len=name_length) :: scheme = 'auto'               !! of the Reynolds equation
+      character(len=name_length) :: scheme = 'auto'               !! scheme of the Reynolds equation
       character(len=name_length) :: error_estimate = 'coarse_grid'
       real(dp) :: accuracy = 0                           !! relative error asked for; 0: none
-      integer :: threads = 0                             !! that share the case; 0: chosen where it is run
+      integer :: threads = 0                             !! threads that share the case; 0: chosen at run time
       ! &dynamics
       character(len=name_length) :: load_balance = 'force_balance'
       real(dp) :: natural_frequency = 0                  !! 0: none
@@ -75,7 +72,7 @@ module ehlwave_case_definition
       real(dp) :: end_time = 0                           !! 0: until the amplitude is measured
       ! &output
       logical :: fields = .false.
-      integer :: fields_every = 0                        !! time steps from one set of fields to the next; 0: the last
+      integer :: fields_every = 0                        !! time steps between sets of fields; 0: the last
                                                          !! alone
       logical :: sensitivities = .false.
       logical :: mean_rise = .true.
@@ -88,8 +85,8 @@ module ehlwave_case_definition
       procedure :: responds
    end type case_t
 
-   integer, parameter, public :: usual_largest_cells = 1024   !! that the plan chooses where no limit is given,
-   integer, parameter, public :: largest_line_cells = 8192    !! and for line contacts
+   integer, parameter, public :: usual_largest_cells = 1024   !! cells that the plan chooses without a limit,
+   integer, parameter, public :: largest_line_cells = 8192    !! cells for line contacts
 
 contains
 

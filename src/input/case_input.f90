@@ -1,8 +1,9 @@
-!> The input of one case: values as the user gives them, and which keys were given.
+!> The input of a case: values as given by the user, and the given keys.
 module ehlwave_case_input
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_length, key_t, key_value_t, most_keys
    use ehlwave_case_keys, only: case_key_list, case_values, take_values
+   use ehlwave_effects_keys, only: effect_count
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: read_key
    use ehlwave_key_list, only: key_list_t
@@ -56,8 +57,8 @@ contains
    subroutine take_short(file, key, name, item, error)
       type(namelist_t), intent(inout) :: file
       type(key_t), intent(in) :: key
-      character(len=*), intent(inout) :: name        !! that the file has
-      type(value_t), allocatable, intent(inout) :: item   !! by the whole name, if there is one
+      character(len=*), intent(inout) :: name        !! name in the file
+      type(value_t), allocatable, intent(inout) :: item   !! by the whole name, if any
       type(error_t), allocatable, intent(inout) :: error
       type(value_t), allocatable :: short
       character(len=:), allocatable :: problem
@@ -79,7 +80,8 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(key_list_t) :: list
       type(value_t), allocatable :: item
-      character(len=:), allocatable :: problem
+      character(len=:), allocatable :: group, problem
+      integer :: k
 
       list = case_key_list(self%case)
       call read_keys(file, list, self%is_given, error)
@@ -89,17 +91,18 @@ contains
          call file%refuse('lubricant', former_limit, problem, error, item%line)
       end if
       call take_values(list, self%case)
-      if (allocated(error) .or. any(self%is_given(:list%count) .and. list%keys(:list%count)%group == 'heat')) return
-      if (.not. file%has_group('heat')) return
-      call raise(error, file%place('heat', '')//'&heat has no data: write oil_conductivity_w_per_m_k and the '// &
-         'others that it needs, or remove the group, without which the contact is isothermal')
+      do k = 1, effect_count
+         call self%case%effects%find_empty_group(k, group, problem)
+         if (group == '' .or. any(self%is_given(:list%count) .and. list%keys(:list%count)%group == group)) cycle
+         if (.not. allocated(error) .and. file%has_group(group)) call raise(error, file%place(group, '')//problem)
+      end do
    end subroutine read_groups
 
    !> Give values to some keys.
    subroutine set(self, numbers, values)
       class(case_input_t), intent(inout) :: self
-      integer, intent(in) :: numbers(:)              !! of the keys
-      type(key_value_t), intent(in) :: values(:)     !! one for each
+      integer, intent(in) :: numbers(:)              !! numbers of the keys
+      type(key_value_t), intent(in) :: values(:)     !! one per key
       type(key_list_t) :: list
       integer :: i
 

@@ -1,16 +1,15 @@
 !> The table of keys: every key of a case once, in the order of the effective input.
 !>
 !> A new key is a component of case_t and its statement here; reading, sweeping, effective input, identity, messages
-!> and the printed reference follow. What keys in a row have in common is said once before them (`common`). Give a key
-!> that is added `is_late=.true.`: then cases that do not use it keep their identity, and stores their results. Where
-!> its default is not what cases were before, see `case_text`. What contradicts what stands in `case_completion`. A key
-!> that names a file to be read has a `file`, by which `case/case_files` and the results know it.
+!> and the printed reference follow. Common properties of successive keys precede them (`common`). Give a key that is
+!> added `is_late=.true.`: then cases that do not use it keep their identity, and stores their results. If its default
+!> differs from earlier behaviour, see `case_text`. Contradictions between keys are in `case_completion`. A key that
+!> names a file to be read has a `file`, by which `case/case_files` and the results know it.
 module ehlwave_case_keys
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_t
    use ehlwave_effect_keys, only: by_second_order
    use ehlwave_key_list, only: key_list_t
-   use ehlwave_heat_keys, only: visit_heat_keys
    use ehlwave_kinds, only: dp
    use ehlwave_oil_keys, only: visit_oil_keys
    use ehlwave_roughness_keys, only: visit_surface, visit_waviness
@@ -34,7 +33,7 @@ contains
       call visit_case_keys(copy, list)
    end function case_key_list
 
-   !> The same without the keys, for those who look up values alone.
+   !> Values without the keys, for callers that need only values.
    function case_values(case) result(list)
       type(case_t), intent(in), optional :: case
       type(key_list_t) :: list
@@ -58,8 +57,8 @@ contains
 
       call list%begin()
       call visit_conditions(case, list)
-      call visit_oil_keys(case%oil, case%heat%is_given(), list)
-      call visit_heat_keys(case%heat, list)
+      call visit_oil_keys(case%oil, case%effects%are_warm(), list)
+      call case%effects%visit('lubricant', list)
       call visit_waviness(case%roughness_t, '', list)
       call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude "// &
          "in time, "// &
@@ -74,18 +73,19 @@ contains
       call visit_grid(case, list)
       call visit_solver(case, list)
       call visit_dynamics(case, list)
-      call list%enter('output', 'What is computed besides, and kept.')
+      call list%enter('output', 'Additional results and files.')
       call list%see(case%fields, key_t('fields', 'whether the last fields are kept even without --output', &
          is_written=.false., can_vary=.false.))
       call list%see(case%fields_every, key_t('fields_every', 'time steps from one kept set of fields to the next; '// &
          'with '// &
          '--output a march writes pressure, film and shear stress over time; 0: the last fields alone', &
          minimum=0.0_dp, is_late=.true., can_vary=.false.))
-      call list%see(case%sensitivities, key_t('sensitivities', 'whether film and linear response are '// &
-         'differentiated by alpha and by the stress of the flow law', is_late=.true.))
-      call list%see(case%mean_rise, key_t('mean_rise', 'whether a linear response finds to second order what waves '// &
-         'do to the mean film, and the smallest film; .false. saves a third of its work, and does not tell whether '// &
-         'waves touch', is_late=.true., is_effort=.true., &
+      call list%see(case%sensitivities, key_t('sensitivities', 'whether results are differentiated '// &
+         'by every input; film, friction, resistance to rolling and linear response of contacts without heat, on a '// &
+         'mesh in units of a and b', is_late=.true.))
+      call list%see(case%mean_rise, key_t('mean_rise', 'whether a linear response includes the change of the '// &
+         'mean film by waves, to second order, and the smallest film; .false. saves a third of its work, without '// &
+         'a warning when waves touch', is_late=.true., is_effort=.true., &
          counts=case%responds() .and. .not. case%effects%refuse(by_second_order), when=linear//' in flooded contacts'))
    end subroutine visit_case_keys
 
@@ -95,7 +95,7 @@ contains
 
       call list%enter('conditions', 'Either the Moes parameters M, L and D or dimensional data.')
       list%common%is_written = case%is_dimensional
-      ! Bounds of radii, modulus and viscosity are what no contact is known beyond: a value in another unit is refused.
+      ! Bounds of radii, modulus and viscosity include all known contacts: a value in another unit is refused.
       call list%see(case%data%radius_x_m, key_t('radius_x_m', 'reduced radius in the rolling direction', unit='m', &
          minimum=1e-6_dp, maximum=5.0_dp, is_required=.true.))
       call list%see(case%data%radius_y_m, key_t('radius_y_m', 'reduced radius across; none: line contact', unit='m', &
@@ -143,13 +143,13 @@ contains
          maximum=8192.0_dp))
       call list%see(case%cells_y, key_t('cells_y', 'cells along Y over the whole domain; as cells_x', minimum=0.0_dp, &
          maximum=8192.0_dp, applies=is_elliptical, when=elliptical))
-      call list%see(case%largest_cells, key_t('largest_cells', 'limit of what is chosen', minimum=64.0_dp, &
+      call list%see(case%largest_cells, key_t('largest_cells', 'limit of chosen cells', minimum=64.0_dp, &
          maximum=8192.0_dp, default='1024; of line contacts 8192', is_written=min(case%cells_x, case%cells_y) == 0, &
          counts=min(case%cells_x, case%cells_y) == 0 .or. case%accuracy > 0, is_effort=.true., &
          when='cells_x or cells_y = 0, or accuracy'))
       call list%see(case%domain, key_t('domain', "computed domain; 'auto': half of it where the case is even in Y, "// &
          "'whole': "//'always all of it', choices='auto whole', applies=is_elliptical, when=elliptical))
-      call list%see(case%edges, key_t('edges', "pressure at the edges of the domain; 'flooded': that of the oil "// &
+      call list%see(case%edges, key_t('edges', "pressure at the edges of the domain; 'flooded': from the oil "// &
          "farther out; "// &
          "with accuracy a domain of the usual size is enlarged where that takes more; 'truncated': 0, which "// &
          "starves the contact a little", choices='flooded truncated'))
@@ -193,8 +193,8 @@ contains
          "(builds with PETSc)", choices='auto newton fas petsc'))
       call list%see(case%cycle, key_t('cycle', 'multigrid cycle', choices='f v w', default="'f'", &
          applies=case%method == 'fas', when="method = 'fas'"))
-      call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': by the faster "// &
-         "one, 'fft'; 'mlmi': multilevel multi-integration, whose error is far below that of the discretisation", &
+      call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': the faster "// &
+         "method, 'fft'; 'mlmi': multilevel multi-integration, with an error far below the discretisation error", &
          choices='auto fft mlmi'))
       call list%see(case%scheme, key_t('scheme', "differences of the Reynolds equation; 'averaged': eps averaged "// &
          "between nodes, upstream differences of second order; 'fitted': fluxes that integrate steep inlets "// &
@@ -206,7 +206,7 @@ contains
          "same case on 2 and 4 times the mesh size (5 to 15 % of the time), 'model': the error that the plan expects", &
          choices='coarse_grid model', counts=case%has_ratio() .and. case%response /= 'harmonic', is_effort=.true., &
          when="waves without response = 'harmonic'"))
-      call list%see(case%accuracy, key_t('accuracy', 'relative error wanted in Ad/Ai, of smooth contacts in '// &
+      call list%see(case%accuracy, key_t('accuracy', 'requested relative error of Ad/Ai, in smooth contacts of '// &
          'H(0,0); e.g. 0.01: chooses cells, time step and tolerances that are not given', above=0.0_dp, maximum=0.2_dp))
       call list%see(case%threads, key_t('threads', 'threads that share one case; no result depends on them; 0: '// &
          'OMP_NUM_THREADS, else the cores that are its own', minimum=0.0_dp, maximum=real(most_threads, dp), &
@@ -218,13 +218,13 @@ contains
       type(key_list_t), intent(inout) :: list
 
       call list%enter('dynamics', 'Load and mutual approach in time.')
-      call list%see(case%load_balance, key_t('load_balance', 'what moves the mutual approach', &
+      call list%see(case%load_balance, key_t('load_balance', 'equation of the mutual approach', &
          choices='force_balance equation_of_motion', counts=case%marches() .or. (case%responds() .and. case%moves()), &
          when=time_steps//', and responses to waves that move'))
       call list%see(case%natural_frequency, key_t('natural_frequency', 'dimensionless natural frequency Omega', &
          above=0.0_dp, applies=case%load_balance == 'equation_of_motion', when="load_balance = 'equation_of_motion'"))
-      call list%see(case%load_factor, key_t('load_factor', 'load from T = 0 on over that of the steady state; a '// &
-         'load step', above=0.0_dp, counts=case%marches() .or. (case%is_rough() .and. case%response /= 'transient'), &
+      call list%see(case%load_factor, key_t('load_factor', 'load from T = 0 on over the steady load; a load '// &
+         'step', above=0.0_dp, counts=case%marches() .or. (case%is_rough() .and. case%response /= 'transient'), &
          when=time_steps))
       call list%see(case%end_time, key_t('end_time', 'T to which is marched; none: until the amplitude is measured', &
          above=0.0_dp))

@@ -64,7 +64,7 @@ contains
       list%common%applies = oil%shear_limit_over_pressure > 0
       list%common%when = 'shear_limit_over_pressure'
       call list%see(oil%shear_limit_width, key_t('shear_limit_width', 'width of the limit: at (1 - width) times '// &
-         'the limit the shear rate is twice that of flow_law', minimum=0.01_dp, maximum=0.5_dp))
+         'the limit the shear rate is twice the rate of flow_law', minimum=0.01_dp, maximum=0.5_dp))
    end subroutine visit_flow_law
 
    subroutine visit_viscosity_laws(oil, list)

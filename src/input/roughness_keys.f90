@@ -1,4 +1,4 @@
-!> The keys of groups &waviness and &surface, and of &waviness2 and &surface2: what each surface is rough with.
+!> The keys of groups &waviness and &surface, and of &waviness2 and &surface2: the roughness of each surface.
 module ehlwave_roughness_keys
    use ehlwave_case_definition, only: path_length, roughness_t
    use ehlwave_case_key, only: key_t
@@ -13,7 +13,7 @@ contains
    !> The waves of a surface. The keys of surface 2 end in '_2', which their group may leave out.
    subroutine visit_waviness(waves, number, list)
       type(roughness_t), intent(inout) :: waves
-      character(len=*), intent(in) :: number         !! of the surface: '' is the first, '2'
+      character(len=*), intent(in) :: number         !! number of the surface: '' is the first, '2'
       type(key_list_t), intent(inout) :: list
       character(len=:), allocatable :: one_length, orientation, tail
       logical :: is_custom
@@ -73,7 +73,7 @@ contains
          call list%see(heights%surface_file, named(key, 'file', 'surface written by `ehlwave surface`; it '// &
             'enters at x_min, moves with S and is followed until its trailing end is at the contact centre, or '// &
             'end_time; needs dimensional conditions. The whole domain is computed unless it is even in Y. With '// &
-            '--output, surface_position_m says which x of the surface was at the centre for each film_at_centre', &
+            '--output, surface_position_m is the x of the surface at the centre for each film_at_centre', &
             number))
       else
          call list%enter('surface'//number, 'A measured surface 2 in place of &waviness2.')
@@ -83,7 +83,7 @@ contains
       end if
    end subroutine visit_surface
 
-   !> A key of the table with its name and help; that of another surface than the first has its number.
+   !> A key of the table with its name and help; keys of other surfaces than the first have its number.
    pure function named(key, name, help, number) result(new)
       type(key_t), intent(in) :: key
       character(len=*), intent(in) :: name, help, number

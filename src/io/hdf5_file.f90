@@ -79,13 +79,13 @@ contains
       call h5close_f(status(5))
       call self%note(status)
       if (.not. self%is_good) then
-         call raise(error, 'making '//self%path//' failed: is there too little memory? What was there before is '// &
+         call raise(error, 'making '//self%path//' failed: is there too little memory? The previous file is '// &
             'unchanged')
          return
       end if
       call replace_file(self%path, image, written)
       if (written /= 0) call raise(error, 'cannot write '//self%path//': '//reason_text(written)// &
-                                   '. What was there before is unchanged')
+                                   '. The previous file is unchanged')
    end subroutine finish
 
    !> Remember for `finish` whether calls of the library failed.

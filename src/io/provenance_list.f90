@@ -18,7 +18,7 @@ contains
       call list%add('compiler', 'compiler', compiler)
       call list%add('compiler_flags', 'flags that the Fortran files were compiled with', compiler_flags)
       call list%add('build_type', 'type of the build', build_type)
-      call list%add('library_versions', 'libraries as loaded, and as built what is loaded on demand', &
+      call list%add('library_versions', 'libraries as loaded, and as built if loaded on demand', &
          loaded_libraries())
       call list%add('processor', 'model of the processor', processor())
    end subroutine add_provenance

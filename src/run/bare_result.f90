@@ -1,10 +1,10 @@
 !> The result of one case without its effects. Values are NaN until they are computed.
 module ehlwave_bare_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_contact_variant, only: variable_length
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_field_history, only: field_history_t
    use ehlwave_harmonic_result, only: harmonic_result_t
-   use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_pair_result, only: pair_result_t
    use ehlwave_rolling_result, only: rolling_result_t
@@ -15,14 +15,24 @@ module ehlwave_bare_result
 
    integer, parameter, public :: rung_length = 12
 
+   !> Results that are differentiated by every input; the phase itself, of the others the logarithm.
+   integer, parameter, public :: of_central_film = 1, of_minimum_film = 2, of_friction = 3, &
+      of_rolling_coefficient = 4, of_rolling_force = 5, of_ratio = 6, of_phase = 7, gradients = 7
+
    !> Derivatives by the logarithm of a property of the oil, all else of the contact the same; NaN: not asked for, or
    !> none.
    type, public :: oil_sensitivity_t
-      real(dp) :: film = no_value                    !! of ln H(0,0)
-      real(dp) :: response = no_value                !! of ln(Ad/Ai), small waves
-      real(dp) :: response_real = no_value           !! of the transfer function from the pattern to H(0,0)
+      real(dp) :: film = no_value                    !! sensitivity of ln H(0,0)
+      real(dp) :: response = no_value                !! sensitivity of ln(Ad/Ai), small waves
+      real(dp) :: response_real = no_value           !! real part of the transfer function from the pattern to H(0,0)
       real(dp) :: response_imaginary = no_value
    end type oil_sensitivity_t
+
+   !> Derivatives by the logarithm of a variable, see `case/case_variables`; NaN: none.
+   type, public :: gradient_t
+      character(len=variable_length) :: name = ''
+      real(dp) :: of(gradients) = no_value
+   end type gradient_t
 
    type, public :: bare_result_t
       integer :: status = status_pending
@@ -34,19 +44,19 @@ module ehlwave_bare_result
       real(dp) :: central_film_moes = no_value       !! H(0,0) in the scale of theory eq. (6)
       real(dp) :: max_pressure = no_value            !! largest P
       ! estimated relative discretisation errors; NaN where there is no estimate
-      real(dp) :: central_film_error = no_value      !! of H(0,0), from the multigrid levels
-      real(dp) :: minimum_film_error = no_value      !! of the smallest H, likewise
-      real(dp) :: friction_error = no_value          !! of the friction coefficient, likewise
+      real(dp) :: central_film_error = no_value      !! error of H(0,0), from the multigrid levels
+      real(dp) :: minimum_film_error = no_value      !! error of the smallest H, likewise
+      real(dp) :: friction_error = no_value          !! error of the friction coefficient, likewise
       real(dp) :: minimum_film_domain_error = no_value, friction_domain_error = no_value   !! parts of them by the edges
-      character(len=12) :: film_error_basis = ''     !! what they are from: 'coarse_grid' or 'model'
+      character(len=12) :: film_error_basis = ''     !! basis of the errors: 'coarse_grid' or 'model'
       real(dp) :: film_order = no_value              !! observed order of H(0,0) on the three finest levels
-      real(dp) :: amplitude_ratio_error = no_value   !! of Ad/Ai
-      character(len=12) :: amplitude_error_basis = ''   !! what that is from: 'coarse_grid', 'model', or no estimate
-      ! the same with what else they are wrong by; see run/error_account
-      type(error_parts_t) :: film_errors = error_parts_t(mesh=no_value)    !! of H(0,0)
-      type(error_parts_t) :: ratio_errors = error_parts_t(mesh=no_value)   !! of Ad/Ai
-      real(dp) :: error_estimate = no_value          !! sum of the parts of the one that the case is about
-      real(dp) :: settling = 0                       !! relative error of Ad/Ai by what it has changed since the period
+      real(dp) :: amplitude_ratio_error = no_value   !! error of Ad/Ai
+      character(len=12) :: amplitude_error_basis = ''   !! basis: 'coarse_grid', 'model', or no estimate
+      ! with their other parts; see run/error_account
+      type(error_parts_t) :: film_errors = error_parts_t(mesh=no_value)    !! parts of the error of H(0,0)
+      type(error_parts_t) :: ratio_errors = error_parts_t(mesh=no_value)   !! parts of the error of Ad/Ai
+      real(dp) :: error_estimate = no_value          !! sum of the parts of the main quantity
+      real(dp) :: settling = 0                       !! relative error of Ad/Ai by its change since the period
                                                      !! before
       integer :: refinements = 0                     !! runs on finer grids than the first, for an accuracy
       ! waviness
@@ -55,17 +65,17 @@ module ehlwave_bare_result
       real(dp) :: phase_fit = no_value               !! radian by which H(0,0) follows the pattern there, by harmonic
                                                      !! fit
       real(dp) :: mean_film = no_value               !! mean of H(0,0) over the measured periods
-      character(len=8) :: route = ''                 !! what that is from: a march from 'rest', or one that started in
+      character(len=8) :: route = ''                 !! origin of the film: a march from 'rest', or a march started in
                                                      !! 'waves'
       real(dp) :: v = 0, v2 = 0, f_r = 0             !! theory eq. (17), (16), (15)
       real(dp) :: formula_ratio = 0                  !! theory eq. (18)
       type(harmonic_result_t) :: harmonic            !! linear response, if asked for
-      type(pair_result_t) :: pair                    !! of the second rough surface, and of both
+      type(pair_result_t) :: pair                    !! results of the second rough surface, and of both
       type(oil_sensitivity_t) :: by_oil(2)           !! by ln(alpha), by ln(stress of the flow law)
+      type(gradient_t), allocatable :: by_key(:)     !! by each variable, if asked for
       type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates
       type(rolling_result_t) :: rolling              !! its resistance to rolling
-      type(heat_result_t) :: heat                    !! temperatures of the smooth contact, if they are found
-      character(len=:), allocatable :: warning       !! what the model leaves out and matters here, else empty
+      character(len=:), allocatable :: warning       !! relevant effect that the model lacks, else empty
       ! the largest over all solutions of the case
       real(dp) :: residual = 0                       !! mass residual, see solve_report_t
       real(dp) :: load_error = 0
@@ -75,20 +85,19 @@ module ehlwave_bare_result
       character(len=rung_length) :: rung = 'direct'  !! highest rung of the rescue ladder used, see solver/rescue
       integer :: rescued_solutions = 0               !! solutions that took more than the direct solve
       real(dp) :: seconds = 0                        !! wall time of the case
-      real(dp) :: work_units = 0                     !! the same in plain FFT convolutions of the whole grid
+      real(dp) :: work_units = 0                     !! work in plain FFT convolutions of the whole grid
       real(dp) :: work = 0                           !! operations counted, without error estimates and sensitivities,
-      real(dp) :: counted_work_units = no_value      !! and the same in those of a convolution
+      real(dp) :: counted_work_units = no_value      !! operations in units of a convolution
       real(dp) :: all_work = 0                       !! operations with error estimates and sensitivities,
-      real(dp) :: total_work_units = no_value        !! and the same in those of a convolution
-      real(dp) :: peak_memory_mib = 0                !! of the process so far
-      real(dp), allocatable :: residual_history(:)   !! of the solution that failed: before each step and at the end
+      real(dp) :: total_work_units = no_value        !! all operations in units of a convolution
+      real(dp) :: peak_memory_mib = 0                !! peak memory of the process so far
+      real(dp), allocatable :: residual_history(:)  !! residuals of the failed solution: before each step and at the end
       ! history of the contact centre: times T, or phases over 2 pi for standing patterns
       real(dp), allocatable :: time(:), film_history(:), approach_history(:)
-      real(dp), allocatable :: surface_position(:)   !! of a measured surface, at the contact centre, m
+      real(dp), allocatable :: surface_position(:)   !! position on a measured surface, at the contact centre, m
       ! fields of the last solution, if asked for
       real(dp), allocatable :: x(:), y(:), p(:, :), h(:, :)
       real(dp), allocatable :: shear_stress_pa(:, :) !! mean of the shear stresses at the two surfaces along X, if known
-      real(dp), allocatable :: rise_k(:, :, :)       !! if it is warm: of `warm_fields`
       type(field_history_t) :: history               !! fields over time, if asked for
    contains
       procedure :: response_error
@@ -96,7 +105,7 @@ module ehlwave_bare_result
 
 contains
 
-   !> Relative error of the linear response by the mesh, of two surfaces the larger one.
+   !> Relative error of the linear response by the mesh, the larger error of two surfaces.
    pure real(dp) function response_error(self)
       class(bare_result_t), intent(in) :: self
       response_error = self%harmonic%error

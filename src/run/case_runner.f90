@@ -1,4 +1,4 @@
-!> Runs one planned case.
+!> Runs a planned case.
 module ehlwave_case_runner
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_amplitude, only: fitted_harmonic, sampled_amplitude
@@ -11,7 +11,6 @@ module ehlwave_case_runner
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_harmonic_case, only: run_responses
-   use ehlwave_heat_result, only: warm_fields
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_march_case, only: run_moving
@@ -22,7 +21,7 @@ module ehlwave_case_runner
    use ehlwave_resolution, only: add_reason, closing_reason, touching_reason
    use ehlwave_periodic_case, only: find_periodic_state
    use ehlwave_rescue, only: rescue_t, rung_name
-   use ehlwave_sensitivity_case, only: find_film_sensitivities
+   use ehlwave_sensitivity_case, only: find_smooth_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
    use ehlwave_shear_stress, only: mean_shear_stress
    use ehlwave_state, only: state_t
@@ -35,8 +34,8 @@ module ehlwave_case_runner
 
 contains
 
-   !> Run a case as planned. Whatever happens inside is told by `result%status`. With `shared`, its steady state is
-   !> used if it is that of the case, and left there for the next.
+   !> Run a case as planned. `result%status` reports every outcome. With `shared`, its steady state is used if it
+   !> belongs to the case, and kept for the next.
    subroutine run_case(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
@@ -63,7 +62,7 @@ contains
       class(march_keeper_t), intent(inout), optional :: keeper
       type(rescue_t) :: rescue
       logical :: is_found
-      character(len=:), allocatable :: unresolved
+      character(len=:), allocatable :: failure, name, unresolved
       real(dp), allocatable :: stress(:, :)   ! tau/ph of the smooth contact
       real(dp) :: besides, start
 
@@ -73,27 +72,21 @@ contains
       rescue = steady%rescue
       result%work = steady%work
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
-         call take_report(level%report, 'steady state of smooth surfaces'//trim(merge(' with heat', '          ', &
-            ieee_is_finite(steady%heat%isothermal_film))), result)
-         if (allocated(steady%heat%unsettled)) result%message = result%message//steady%heat%unsettled
+         name = 'steady state of smooth surfaces'
+         failure = ''
+         call steady%effects%describe_state(name, failure)
+         call take_report(level%report, name, result)
+         result%message = result%message//failure
          call monitor%step_done('steady state', 1, 1)
-         result%heat = steady%heat
          result%effects = steady%effects
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, stress, result)
             call result%effects%take(plan, steady%multigrid%levels, result%work)
-            call add_warning(result, result%effects%warning(level%problem%grid))
             result%rolling = steady%rolling
             call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, case%tolerance, result)
-            associate (heat => result%heat)
-               result%friction_error = result%friction_error + heat%settling*result%shear%cancellation &
-                                       + heat%levels_error
-               result%central_film_error = result%central_film_error + heat%film_error()
-               result%minimum_film_error = result%minimum_film_error + heat%film_error()
-               call add_warning(result, heat%warning())
-            end associate
-            if (plan%surfaces%is_rough()) call add_warning(result, wave_heat_text(case, result%heat%frozen_error))
-            if (case%sensitivities) call find_film_sensitivities(case, steady, result)
+            call result%effects%add_own_errors(level%problem%grid, result%bare_result_t)
+            call add_warning(result, result%effects%warning(case, plan, level%problem%grid))
+            if (case%sensitivities) call find_smooth_sensitivities(case, plan, steady, result)
             if (plan%responds) call run_responses(case, plan, steady, result)
          end if
          besides = steady%work_so_far() - result%work
@@ -117,11 +110,9 @@ contains
             allocate (result%y, source=level%problem%grid%y)
             allocate (result%p, source=level%state%p)
             allocate (result%h, source=level%state%h)
-            if (is_success(result%status)) call result%effects%take_fields(plan, level)
+            if (is_success(result%status)) call result%effects%take_fields(plan, level, steady%energy)
             if (is_success(result%status)) &
                call mean_shear_stress(level%problem, level%state, result%shear_stress_pa)
-            if (is_success(result%status) .and. allocated(level%problem%heat)) &
-               result%rise_k = warm_fields(level%problem, steady%energy)
          end if
       end associate
 
@@ -147,24 +138,6 @@ contains
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
 
-   !> How temperatures are known as waves pass, for a warning; '' without heat.
-   pure function wave_heat_text(case, frozen_error) result(text)
-      type(case_t), intent(in) :: case
-      real(dp), intent(in) :: frozen_error      !! of `heat_result_t`
-      character(len=:), allocatable :: text
-      text = ''
-      if (.not. case%heat%is_given()) return
-      if (case%heat%follows_waves()) then
-         text = 'in the march the oil takes its own temperatures, both surfaces keep those of the smooth contact'
-         if (case%response == 'both') text = text//'; the linear response has all of them from there'// &
-            ', which leaves about '//to_text(frozen_error, 1)//' of Ai in its Ad/Ai'
-      else
-         text = 'temperatures stay those of the smooth contact as waves pass, which leaves about '// &
-            to_text(frozen_error, 1)//" of Ai in Ad/Ai besides the errors (&heat wave_temperatures = 'carried' "// &
-            'lets marches tell)'
-      end if
-   end function wave_heat_text
-
    !> The caps that a case has used up; '' where none.
    function spent_text(plan, rescue) result(text)
       type(case_plan_t), intent(in) :: plan
@@ -180,7 +153,7 @@ contains
       end if
    end function spent_text
 
-   !> Warn where waves in time and small ones, both computed, do not respond alike.
+   !> Warn where waves in time and small waves, both computed, differ in response.
    subroutine compare_with_small_waves(case, result)
       type(case_t), intent(in) :: case
       type(case_result_t), intent(inout) :: result
@@ -197,9 +170,9 @@ contains
          real(dp), parameter :: largest_difference = 0.05_dp
          if (.not. (ieee_is_finite(ratio) .and. ieee_is_finite(small))) return
          if (abs(ratio/small - 1) <= largest_difference) return
-         call add_warning(result, waves//to_text(100*amplitude, 3)//' % of the film do not respond as small ones: '// &
+         call add_warning(result, waves//to_text(100*amplitude, 3)//' % of the film respond unlike small waves: '// &
             'Ad/Ai = '//to_text(ratio, 3)//' against '//to_text(small, 3)//' of the linear response'// &
-            trim(merge(', whose temperatures stay', repeat(' ', 25), case%heat%follows_waves())))
+            trim(merge(', whose temperatures stay', repeat(' ', 25), case%effects%heat%data%follows_waves())))
       end subroutine compare
 
    end subroutine compare_with_small_waves
@@ -216,10 +189,10 @@ contains
       result%central_film_moes = result%central_film*plan%conditions%moes_film_factor
       result%max_pressure = maxval(level%state%p)
       call result%shear%take(level%problem, level%state, stress)
-      result%warning = result%shear%warning(case%oil%shear_limit_over_pressure > 0, case%heat%is_given())
+      result%warning = result%shear%warning(case%oil%shear_limit_over_pressure > 0, case%effects%are_warm())
    end subroutine take_smooth_film
 
-   !> Pattern that stands still: one steady state for each phase, no time stepping.
+   !> Stationary pattern: a steady state for each phase, no time stepping.
    subroutine run_standing_pattern(case, plan, multigrid, rescue, monitor, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan

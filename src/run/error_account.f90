@@ -16,13 +16,13 @@ module ehlwave_error_account
    private
    public :: error_asked_for, errors_text, take_errors, validity_text
 
-   !> Of the tolerance, that a steady film is off by at most; measured. Residuals of FAS lie at single nodes.
+   !> Share of the tolerance that bounds the error of a steady film; measured. Residuals of FAS lie at single nodes.
    real(dp), parameter :: steady_share = 0.1_dp, multigrid_share = 0.01_dp
-   real(dp), parameter :: smallest_share = 2     !! the same of the smallest film, FAS: up to 1.3 measured
+   real(dp), parameter :: smallest_share = 2     !! share for the smallest film, FAS: up to 1.3 measured
 
 contains
 
-   !> Put together the errors of film and Ad/Ai, and of the one that the case is about the sum.
+   !> Combine the errors of film and Ad/Ai, and their sum for the main quantity.
    subroutine take_errors(case, plan, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -90,18 +90,18 @@ contains
       text = text//', tolerances '//to_text(parts%algebraic, 2)
    end function errors_text
 
-   !> One line on what a result holds for: edges, linear range, warnings.
+   !> A line on the validity of a result: edges, linear range, warnings.
    function validity_text(case, plan, warning) result(text)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      character(len=*), intent(in), optional :: warning   !! of the result
+      character(len=*), intent(in), optional :: warning   !! warning of the result
       character(len=:), allocatable :: ahead, text
 
       text = 'edges '//trim(case%edges)
       if (case%edges == 'truncated') text = text//' (P = 0, film '//to_text(100*plan%film_domain_error, 2)// &
          ' % too thin)'
       if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
-         text = text//'; waves respond as small ones up to Ai = '//linear_limit_text(case)
+         text = text//'; waves respond linearly up to Ai = '//linear_limit_text(case)
          if (is_beyond_linear(case)) text = text//', asked for '//to_text(100*case%amplitude_over_film, 3)//' %'
          if (is_beyond_linear(case) .and. case%is_pair()) text = text//' and '// &
             to_text(100*case%second%amplitude_over_film, 3)//' %'

@@ -1,4 +1,4 @@
-!> Discretisation error from values of one quantity on grids of mesh size h, 2h and 4h: Richardson, theory eq. (E1).
+!> Discretisation error from values of a quantity on grids of mesh size h, 2h and 4h: Richardson, theory eq. (E1).
 module ehlwave_error_estimate
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, no_value
@@ -7,10 +7,10 @@ module ehlwave_error_estimate
    private
    public :: estimate_error, formal_order, likely_order, observed_order
 
-   real(dp), parameter :: formal_order = 2     !! of the discretisation in space and time
+   real(dp), parameter :: formal_order = 2     !! order of the discretisation in space and time
    real(dp), parameter :: lowest_order = 1     !! assumed where the values do not converge monotonically
-   !> Above it the finer two of three values agree by chance, and the coarser two tell more. A line contact of order 3.7
-   !> was off by 8 times what the finer two said; 4 % of random contacts have an order above this.
+   !> Above it the finer two of three values agree by chance, and the coarser two are more reliable. A line contact of
+   !> order 3.7 was off by 8 times the estimate of the finer two; 4 % of random contacts have an order above this.
    real(dp), parameter :: highest_order = 2.5_dp
 
 contains
@@ -18,9 +18,9 @@ contains
    !> Estimated relative error of values(1): |v(h) - v(2h)|/((2^p - 1) |v(h)|), theory eq. (E1), and for |v(h) - v(2h)|
    !> at least the share of |v(2h) - v(4h)| that is left of it at `highest_order`.
    !>
-   !> p is the observed order where three values show one between 1 and 2, the nearer of these two limits where it lies
-   !> outside or where the differences change sign (order 1: the careful side), and `usual_order` with two values only.
-   !> NaN with fewer than two values or where one of the first two is not finite or the first is 0.
+   !> p is the observed order of three values if between 1 and 2, the nearer of these two limits where it lies outside
+   !> or where the differences change sign (order 1: the careful side), and `usual_order` with two values only. NaN
+   !> with fewer than two values or where one of the first two is not finite or the first is 0.
    pure real(dp) function estimate_error(values, usual_order)
       real(dp), intent(in) :: values(:)   !! on meshes h, 2h, 4h, ...: the finest first
       real(dp), intent(in), optional :: usual_order   !! absent: 2
@@ -44,13 +44,14 @@ contains
       estimate_error = difference/((2**order - 1)*abs(values(1)))
    end function estimate_error
 
-   !> Order to expect of the response to waves with two grids, by what the mesh leaves of the inlet and of waves: 2
-   !> where it resolves them well, 1 where it barely does (M = 1000, D = 1: 1.1 with hX = 0.25 inlet lengths), and not
-   !> above that of the film where three levels show it.
+   !> Order to expect of the response to waves with two grids, by the resolution of the inlet and of waves: 2 where it
+   !> resolves them well, 1 where it barely does (M = 1000, D = 1: 1.1 with hX = 0.25 inlet lengths), and not above
+   !> the order of the film where three levels show it.
    pure real(dp) function likely_order(film_order, resolution, steepness, points_above)
       real(dp), intent(in) :: film_order   !! NaN: not known
       type(resolution_t), intent(in) :: resolution
-      real(dp), intent(in) :: steepness    !! of the oil, see `thinning_t`: its inlet is shorter by the root of it
+      real(dp), intent(in) :: steepness    !! thinning of the oil, see `thinning_t`: its inlet is shorter by the root of
+                                           !! it
       real(dp), intent(in), optional :: points_above   !! on a wave along X, above the fewest, that do; absent: 4
       real(dp), parameter :: fine_inlet = 0.15_dp, usual_points = 4
       real(dp) :: well, enough_along_x

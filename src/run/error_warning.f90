@@ -29,7 +29,7 @@ contains
       if (text /= '') text = 'large errors: '//text//'; use more cells (&grid) or an accuracy (&solver)'
    end function error_warning
 
-   !> Whether an entry is the largest error of its result, of equal ones the first, and large.
+   !> Whether an entry is the largest error of its result, the first among equals, and large.
    pure logical function is_worst(list, k)
       type(quantity_list_t), intent(in) :: list
       integer, intent(in) :: k

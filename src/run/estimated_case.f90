@@ -57,16 +57,16 @@ contains
       type(shared_steady_t), intent(inout), target, optional :: shared
       class(march_keeper_t), intent(inout), optional :: keeper   !! see `run_case`
       real(dp), allocatable :: estimates(:), ratios(:, :)   ! of each surface
-      real(dp) :: by_heat, estimate, seconds
+      real(dp) :: by_effects, estimate, seconds
       integer :: n, status
 
       call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
-      by_heat = result%heat%film_error()
+      by_effects = result%effects%film_error()
       estimate = max(plan%model_ratio_error(result%max_pressure, result%central_film_error), &
                      plan%light_ratio_error(result%central_film, .false.))
-      result%amplitude_ratio_error = estimate + plan%expected%time + plan%expected%algebraic + by_heat
+      result%amplitude_ratio_error = estimate + plan%expected%time + plan%expected%algebraic + by_effects
       result%amplitude_error_basis = 'model'
       if (case%error_estimate /= 'coarse_grid') return
 
@@ -87,7 +87,7 @@ contains
          ! the pressure spike of a light contact grows with the grid, and takes the waves along
          estimate = (march_margin + slip_margin*min(1.0_dp, abs(plan%conditions%slip_parameter - 1)/largest_slip)) &
                     *spike_factor(result%max_pressure)* &
-                    max(maxval(estimates), plan%least_ratio_error(result%central_film_error)) + by_heat
+                    max(maxval(estimates), plan%least_ratio_error(result%central_film_error)) + by_effects
          estimate = max(estimate, plan%light_ratio_error(result%central_film, .true.))
          ! the response to the same waves, where it is there, has no better one
          if (ieee_is_finite(result%harmonic%error)) estimate = max(estimate, result%response_error())

@@ -1,4 +1,4 @@
-!> HDF5 file of one case: its quantities, history at the contact centre, fields of the last solution, effective input.
+!> HDF5 file of a case: its quantities, history at the contact centre, fields of the last solution, effective input.
 module ehlwave_field_file
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
@@ -20,7 +20,7 @@ module ehlwave_field_file
 
 contains
 
-   !> Write one case. Fails when the file cannot be written completely.
+   !> Write a case. Fails when the file cannot be written completely.
    subroutine write_case_file(path, case, plan, result, error)
       character(len=*), intent(in) :: path
       type(case_t), intent(in) :: case
@@ -61,7 +61,6 @@ contains
          call file%write('film', result%h, '1', 'H = h/c of the last solution', 'x', 'y')
          if (allocated(result%shear_stress_pa)) call file%write('mean_shear_stress_pa', result%shear_stress_pa, 'Pa', &
             'mean of the shear stresses at the two surfaces along x, last solution', 'x', 'y')
-         if (allocated(result%rise_k)) call write_temperatures(file, result%rise_k)
       end if
       call result%effects%write_fields(file)
       if (allocated(result%history%p)) call write_history(file, result%history)
@@ -74,7 +73,7 @@ contains
    subroutine write_response(file, harmonic, number)
       type(hdf5_file_t), intent(inout) :: file
       type(harmonic_result_t), intent(in) :: harmonic
-      character(len=*), intent(in) :: number         !! that names end in: '' of the first surface, '_2'
+      character(len=*), intent(in) :: number         !! suffix of names: '' for the first surface, '_2'
 
       if (.not. allocated(harmonic%h)) return
       call file%write('film_response'//number, abs(harmonic%h), '1', 'amplitude of H over Ai, small waves', 'x', 'y')
@@ -106,20 +105,6 @@ contains
          history%shear_stress_pa, 'Pa', &
          'mean of the shear stresses at the two surfaces along x, over time', 'x', 'y', 'field_time')
    end subroutine write_history
-
-   !> Rises over T0 half-way across the film, in the mean, and of both surfaces.
-   subroutine write_temperatures(file, rise_k)
-      type(hdf5_file_t), intent(inout) :: file
-      real(dp), intent(in) :: rise_k(:, :, :)    !! (x, y, mid film, mean, surface 1, surface 2)
-      character(len=*), parameter :: &
-         names(4) = [character(len=16) :: 'rise_mid_film_k', 'rise_mean_k', 'rise_wall_1_k', 'rise_wall_2_k'], &
-         of(4) = [character(len=26) :: 'half-way across the film', 'mean across the film', 'of surface 1', &
-                  'of surface 2']
-      integer :: i
-      do i = 1, size(names)
-         call file%write(trim(names(i)), rise_k(:, :, i), 'K', 'rise of the temperature '//trim(of(i)), 'x', 'y')
-      end do
-   end subroutine write_temperatures
 
    !> A complex number for each row as two data sets.
    subroutine write_complex(file, name, values, long_name)

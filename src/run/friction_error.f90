@@ -1,10 +1,10 @@
 !> Discretisation error of the friction coefficient, from the multigrid levels.
 !>
-!> Of a Newtonian oil, and of those that thin with a power, under high pressure much of the friction is borne in the
-!> pressure spike, which grows with every grid: the coefficients of three grids may differ little, and that of the
-!> fourth be twice as large (Roelands, alphabar = 14: 1.20, 1.45, 2.16, 5.19 on 16 to 128 cells, with largest P of 1.00,
-!> 1.15, 1.38, 1.71). Two grids may even have no spike where the next has one (Barus, alphabar = 20: largest P of 0.998,
-!> 0.998, 1.185, and twice the friction).
+!> Newtonian oils, and oils that thin with a power, have much of the friction in the pressure spike under high pressure.
+!> The spike grows with every grid: the coefficients of three grids may differ little, and the fourth be twice as large
+!> (Roelands, alphabar = 14: 1.20, 1.45, 2.16, 5.19 on 16 to 128 cells, with largest P of 1.00, 1.15, 1.38, 1.71). Two
+!> grids may even have no spike where the next has one (Barus, alphabar = 20: largest P of 0.998, 0.998, 1.185, and
+!> twice the friction).
 module ehlwave_friction_error
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_error_estimate, only: estimate_error
@@ -17,26 +17,28 @@ module ehlwave_friction_error
    public :: estimate_friction_error
 
    real(dp), parameter :: usual_order = 1        !! with two levels
-   real(dp), parameter :: blunt_share = 1        !! of the relative error of the film, at least: grids can agree by
+   real(dp), parameter :: blunt_share = 1        !! share of the relative film error, at least: grids can agree by
                                                  !! chance,
-   real(dp), parameter :: newtonian_share = 2    !! of the relative error of the film, at least, of a Newtonian oil
-   real(dp), parameter :: next_growth = 3        !! growth of the spike on finer grids over that since the last one;
+   real(dp), parameter :: newtonian_share = 2    !! share of the relative film error, at least, for a Newtonian oil
+   real(dp), parameter :: next_growth = 3  !! growth of the spike on finer grids over its growth since the last grid;
                                                  !! measured: 1 to 3
-   real(dp), parameter :: largest_growth = 7     !! of the logarithm of the viscosity in the spike, from grid to grid
-   real(dp), parameter :: usual_growth = 0.1_dp  !! of the largest pressure, at least, where d ln(eta)/dP is `steep`;
+   real(dp), parameter :: largest_growth = 7     !! growth of the logarithm of the viscosity in the spike, from grid to
+                                                 !! grid
+   real(dp), parameter :: usual_growth = 0.1_dp  !! growth of the largest pressure, at least, where d ln(eta)/dP is
+                                                 !! `steep`;
                                                  !! measured: 0 to 0.2
    real(dp), parameter :: steep = 15
-   real(dp), parameter :: film_share = 4         !! of the relative error of the film, the same
+   real(dp), parameter :: film_share = 4         !! share of the relative film error, likewise
 
 contains
 
-   !> Richardson's estimate; of oils whose stress goes with the rate of shear at least twice the error of the film, and
-   !> at least what the growth of the spike since the next coarser level changes in the friction that the finest has
-   !> above the pressure there.
+   !> Richardson's estimate; for oils whose stress follows the rate of shear, at least twice the film error. It is also
+   !> at least the change by the growth of the spike, since the next coarser level, of the friction above the pressure
+   !> there.
    real(dp) function estimate_friction_error(levels, stress, film_error) result(error)
       type(level_t), intent(in) :: levels(:)     !! finest first, solved but for some
       real(dp), intent(in) :: stress(0:, 0:)     !! tau/ph on the finest, (0:nx, 0:ny)
-      real(dp), intent(in) :: film_error         !! of H(0,0), relative
+      real(dp), intent(in) :: film_error         !! error of H(0,0), relative
       real(dp) :: friction(size(levels))
       integer :: l
 
@@ -52,8 +54,8 @@ contains
       error = max(error, newtonian_share*film_error, by_growth(levels, stress)/abs(friction(1)))
    end function estimate_friction_error
 
-   !> Whether the stress of an oil hardly grows with its viscosity: Ree-Eyring's with the logarithm. That of Carreau's
-   !> with a power.
+   !> Whether the stress of an oil hardly grows with its viscosity: Ree-Eyring's with the logarithm, Carreau's with a
+   !> power.
    pure logical function is_blunt(level)
       type(level_t), intent(in) :: level
       is_blunt = .false.

@@ -12,6 +12,7 @@ module ehlwave_harmonic_case
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, mean_change_t
+   use ehlwave_pair_responses, only: take_pair_responses
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_sensitivity_case, only: find_response_sensitivities
    use ehlwave_shared_steady, only: shared_steady_t
@@ -24,17 +25,17 @@ module ehlwave_harmonic_case
    private
    public :: run_responses
 
-   !> On a wave, above the fewest, that show the second order with two grids. With 4, errors of 12 to 18 points were 1.1
-   !> to 1.7 times those said.
+   !> Points on a wave, above the fewest, that show the second order with two grids. With 4, errors with 12 to 18 points
+   !> were 1.1 to 1.7 times the estimate.
    real(dp), parameter :: enough_points = 12
 
-   !> Of the error of the film, at least, where P exceeds the Hertz pressure. Two of 511 random responses were off by
-   !> 2.2 and 2.6 times what two grids show, 2.7 and 3.5 times the error of the film: contacts with P = 1.31 and 1.02.
+   !> Least share of the film error, where P exceeds the Hertz pressure. Two of 511 random responses exceeded the
+   !> two-grid estimate by 2.2 and 2.6 times, the film error by 2.7 and 3.5 times: contacts with P = 1.31 and 1.02.
    real(dp), parameter :: film_share = 1.5_dp
 
 contains
 
-   !> Responses to the waves of each rough surface, and what two of them do together.
+   !> Responses to the waves of each rough surface, and their interaction.
    subroutine run_responses(case, plan, steady, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -56,15 +57,15 @@ contains
       end do
       if (size(responses) == 1) return
       work_before = steady%multigrid%work()
-      call result%pair%take_responses(plan%surfaces, result%central_film, steady, responses, means)
+      call take_pair_responses(result%pair, plan%surfaces, result%central_film, steady, responses, means)
       result%work = result%work + steady%multigrid%work() - work_before
       if (.not. allocated(result%pair%surfaces_touch)) return
       if (result%pair%surfaces_touch) call add_warning(result, 'the waves of both surfaces together would touch, '// &
          'to second order: there is no smallest_film_both')
    end subroutine run_responses
 
-   !> Response to waves about the linearised steady state of a case and, for the error estimate, about that of the grid
-   !> with twice the mesh size. A coarse grid that fails leaves no estimate; the result stands without.
+   !> Response to waves about the linearised steady state of a case and, for the error estimate, on the grid with twice
+   !> the mesh size. If the coarse grid fails, the result has no estimate.
    subroutine run_response(case, plan, surface, steady, result, harmonic, response, mean)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -76,7 +77,7 @@ contains
       type(mean_change_t), intent(out) :: mean
       type(harmonic_response_t) :: coarse
       type(waviness_t) :: waves
-      real(dp) :: by_heat, finish, room, start, work_before
+      real(dp) :: by_effects, finish, room, start, work_before
       integer :: n
 
       n = size(steady%multigrid%levels)
@@ -101,11 +102,13 @@ contains
          room = -steady%multigrid%work()
          call steady%make_room(keeps_response=case%sensitivities .or. plan%kind /= run_harmonic .or. &
                                size(plan%surfaces%list) > 1)
-         work_before = work_before + room + steady%multigrid%work()   ! of what is linearised, which does not count here
+         work_before = work_before + room + steady%multigrid%work()   ! work of linearised parts, which does not count
+                                                                      ! here
          call find_mean(waves, steady, response, result, harmonic, mean)
       end if
       result%work = result%work + steady%multigrid%work() - work_before
-      if (case%sensitivities .and. surface == 1) call find_response_sensitivities(steady, response, result)
+      if (case%sensitivities .and. surface == 1) &
+         call find_response_sensitivities(case, plan, steady, response, result)
       associate (level => steady%multigrid%levels(n))
          if (waves%moves()) harmonic%waves = new_two_wave_result(level%problem, level%state, waves, response%h)
       end associate
@@ -113,34 +116,34 @@ contains
          harmonic%p = response%p
          harmonic%h = response%h
       end if
-      by_heat = result%heat%film_error()
-      ! unless a coarser grid tells more
+      by_effects = result%effects%film_error()
+      ! unless a coarser grid shows more
       harmonic%error = max(error_by_model(plan, result, harmonic), &
-                           plan%light_ratio_error(result%central_film, .false.)) + by_heat
+                           plan%light_ratio_error(result%central_film, .false.)) + by_effects
       harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), waves, case%natural_frequency, &
                                           plan%steps_per_cell, coarse)
       if (coarse%status /= status_converged) return
       call harmonic%extrapolate(coarse%film, coarse%pressure, order_of_response(plan, result))
-      ! the pressure spike of a light contact grows with the grid, which tells less of waves than of the film; the wave
-      ! of the oil under slip starts there
+      ! the pressure spike of a light contact grows with the grid, which makes estimates of waves less reliable than of
+      ! the film; the wave of the oil under slip starts there
       if (result%max_pressure > 1) harmonic%error = max(harmonic%error, film_share*result%central_film_error)
-      ! how much the bodies move is as uncertain as the film, which tells for waves that the contact flattens, and near
+      ! the motion of the bodies is as uncertain as the film; it matters for waves that the contact flattens, and near
       ! resonance, where the bodies move more than the waves
       if (harmonic%ratio > 0) harmonic%error = max(harmonic%error, &
          film_share*result%central_film_error*abs(response%approach)/harmonic%ratio)
       if (waves%moves() .and. abs(plan%conditions%slip_parameter - 1) > 0) &
          harmonic%error = harmonic%error*spike_factor(result%max_pressure)
       harmonic%error = max(grids_margin*max(harmonic%error, plan%least_ratio_error(result%central_film_error)), &
-                           plan%light_ratio_error(result%central_film, .true.)) + by_heat
+                           plan%light_ratio_error(result%central_film, .true.)) + by_effects
       harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
 
-   !> Order to expect of a response. Where the stress is at its limit all around the centre, what moves the oil there is
-   !> the small part of the rate that the limit leaves: M = 63, L = 14, D = 0.084, S = 0.68, transverse 2.8 a, gave
-   !> 1.010, 1.028, 1.002, 0.981 on 32 to 256 cells. In light contacts the order comes late, as that of the largest
-   !> pressure: M = 18, D = 0.2, H = 0.8, longitudinal 1.8 a, gave 0.699, 0.648, 0.611, 0.595 on 32 to 256 cells.
+   !> Order to expect of a response. Where the stress is at its limit all around the centre, the small remaining part of
+   !> the rate moves the oil there: M = 63, L = 14, D = 0.084, S = 0.68, transverse 2.8 a, gave 1.010, 1.028, 1.002,
+   !> 0.981 on 32 to 256 cells. In light contacts the order appears late, as for the largest pressure: M = 18, D = 0.2,
+   !> H = 0.8, longitudinal 1.8 a, gave 0.699, 0.648, 0.611, 0.595 on 32 to 256 cells.
    pure real(dp) function order_of_response(plan, result) result(order)
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
@@ -152,13 +155,14 @@ contains
          order = order_at_limit
    end function order_of_response
 
-   !> Relative error of the response by the mesh, where no coarser grid tells it. Two waves that nearly cancel have the
+   !> Relative error of the response by the mesh, where no coarser grid shows it. Two waves that nearly cancel have the
    !> error of their sum: waves of 0.27 and 0.24 of Ai left 0.046, 22 per cent off with 10 points per wave.
    pure real(dp) function error_by_model(plan, result, harmonic) result(error)
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
       type(harmonic_result_t), intent(in) :: harmonic
-      real(dp), parameter :: phase_factor = 1.5_dp   !! of the error of each wave, over the square of the points on it
+      real(dp), parameter :: phase_factor = 1.5_dp   !! factor on the error of each wave, over the square of the points
+                                                     !! on it
       real(dp) :: both
 
       error = limit_spread(plan, result)*plan%model_ratio_error(result%max_pressure, result%central_film_error)
@@ -181,15 +185,15 @@ contains
       type(mean_change_t), intent(out) :: change
 
       associate (problem => steady%multigrid%levels(size(steady%multigrid%levels))%problem)
-         ! of waves along a line only the mean along it is known, and only of a flow that is linear in the gradient
+         ! Waves along a line: only the mean along it is defined, and only for a flow that is linear in the gradient
          if (problem%grid%is_line .and. waves%wavelength_y > 0 .and. .not. &
              (waves%is_oblique .and. problem%rheology%is_newtonian())) return
       end associate
       associate (amplitude => waves%amplitude(result%central_film))
          call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, waves, amplitude, change)
          if (change%status /= status_converged) then
-            call add_warning(result, 'what the waves do to the mean film is not found (its linear system '// &
-               status_name(change%status)//'): whether they touch is not known')
+            call add_warning(result, 'the change of the mean film by waves is not found (its linear system '// &
+               status_name(change%status)//'): contact between waves is not excluded')
             return
          end if
          call harmonic%take_mean(change, amplitude)

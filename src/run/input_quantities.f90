@@ -97,7 +97,7 @@ contains
 
       keys = case_key_list(case)
       call add_case(list, case, plan)
-      call list%add('run', 'what is computed: smooth, standing, march, harmonic or periodic', &
+      call list%add('run', 'computation: smooth, standing, march, harmonic or periodic', &
                     trim(merge('periodic', kinds(plan%kind), plan%is_periodic)))
       call list%add('time_steps', 'time steps to be done', plan%steps)
       call list%add('time_step', 'dT', plan%dt)
@@ -105,7 +105,7 @@ contains
       call list%add('is_half_domain', '1 when only Y >= 0 is computed', plan%is_half)
       call list%add('is_resolved', '1 when the grid resolves the case', plan%resolution%is_resolved)
       call list%add('message', 'why the grid does not resolve the case', plan%resolution%reason)
-      call list%add('validity', 'what the result will hold for: edges, linear range', validity_text(case, plan))
+      call list%add('validity', 'range of validity: edges, linear range', validity_text(case, plan))
       call add_key(list, keys, 'accuracy')
       call list%add('expected_seconds', 'time expected by the plan', plan%expected_seconds(), unit='s')
       call list%add('expected_memory_mib', 'peak memory expected by the plan', plan%expected_memory_mib(), unit='MiB')
@@ -134,7 +134,7 @@ contains
       end associate
    end subroutine add_lengths
 
-   !> The formula of Ad/Ai and what it is a function of.
+   !> The formula of Ad/Ai and its arguments.
    subroutine add_formulas(list, result)
       type(quantity_list_t), intent(inout) :: list
       type(case_result_t), intent(in) :: result
@@ -147,7 +147,7 @@ contains
    !> A key of the case with the value in use.
    subroutine add_key(list, keys, name, exists)
       type(quantity_list_t), intent(inout) :: list
-      type(key_list_t), intent(in) :: keys      !! of the case
+      type(key_list_t), intent(in) :: keys      !! keys of the case
       character(len=*), intent(in) :: name
       logical, intent(in), optional :: exists
       integer :: k

@@ -1,4 +1,4 @@
-!> A case with a moving pattern, marched from rest, and what is taken from any march of it.
+!> A case with a moving pattern, marched from rest, and the results of any march of it.
 module ehlwave_march_case
    use ehlwave_amplitude, only: fitted_mean, sampled_amplitude
    use ehlwave_case_account, only: add_warning, end_early, keep_history, worse
@@ -27,9 +27,9 @@ module ehlwave_march_case
    !> Newton's method with the patches of elliptical contacts ends closely below a tolerance: the whole of it would
    !> leave up to seven times as much of Ad/Ai.
    real(dp), parameter :: newton_share = 0.3_dp
-   !> Of the tolerance, in line contacts. On fine grids waves change so little in a step that the extrapolated guess is
-   !> within the tolerance, and what it leaves adds up: 0.4 per cent of Ad/Ai = 1.013 on 432 cells, 3.4 per cent of
-   !> Ad/Ai = 0.0425 on 768.
+   !> Share of the tolerance, in line contacts. On fine grids waves change so little in a step that the extrapolated
+   !> guess is within the tolerance, and the remaining errors add up: 0.4 per cent of Ad/Ai = 1.013 on 432 cells, 3.4
+   !> per cent of Ad/Ai = 0.0425 on 768.
    real(dp), parameter :: guess_share = 0.01_dp
    real(dp), parameter :: usual_amplitude = 0.2_dp     !! Ai over the film for which step_tolerance is meant
 
@@ -84,7 +84,7 @@ contains
       type(full_multigrid_t), intent(inout) :: multigrid
       type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
-      type(energy_t), intent(inout) :: energy      !! of the steady state; of the last time step, where it is carried on
+      type(energy_t), intent(inout) :: energy  !! energy equation of the steady state; of the last time step, if marched
       type(case_result_t), intent(inout) :: result
       class(march_keeper_t), intent(inout), optional :: keeper
       type(march_t) :: march
@@ -94,7 +94,7 @@ contains
       logical :: keeps
 
       finest = size(multigrid%levels)
-      if (case%heat%follows_waves()) then
+      if (case%effects%heat%data%follows_waves()) then
          call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue, energy)
       else
          call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue)
@@ -160,12 +160,12 @@ contains
       end if
    end subroutine run_moving
 
-   !> Amplitudes, phases and mean of the film from step `first` on, over what repeats before the last.
+   !> Amplitudes, phases and mean of the film from step `first` on, over the repeating part before the last.
    subroutine take_last_period(plan, history, first, crest, result)
       type(case_plan_t), intent(in) :: plan
       type(march_result_t), intent(in) :: history
       integer, intent(in) :: first
-      real(dp), intent(in) :: crest                   !! X where the patterns had one at T = 0
+      real(dp), intent(in) :: crest                   !! X where the patterns had a crest at T = 0
       type(case_result_t), intent(inout) :: result    !! with the smooth film
       complex(dp) :: parts(size(plan%surfaces%list))
       integer :: n
@@ -187,7 +187,7 @@ contains
          end if
          result%mean_film = fitted_mean(time(2:), film(2:), surfaces%periods())
          if (.not. (surfaces%are_apart() .or. surfaces%are_one())) call add_warning(result, 'the waves of both '// &
-            'surfaces pass the centre with one frequency, where the film does not tell them apart: no Ad/Ai')
+            'surfaces pass the centre with one frequency, so that the film cannot separate them: no Ad/Ai')
       end associate
    end subroutine take_last_period
 

@@ -54,7 +54,7 @@ contains
          if (case%is_pair()) write (unit, '(a)') '  surface 2  '// &
             surface_text(case%second, plan%surfaces%list(2), c)//', speed 2 - S = '//to_text(2 - c%slip_parameter, 6)
          if (plan%surfaces%is_rough() .and. case%has_ratio() .and. is_beyond_linear(case)) &
-            write (unit, '(a)') '             WARNING: such waves may respond unlike small ones: take Ai '// &
+            write (unit, '(a)') '             WARNING: such waves may respond unlike small waves: take Ai '// &
             '(amplitude_over_film) below '//linear_limit_text(case)//', or compare by response = ''both'''
          write (unit, '(a)') 'Run          '//run_text(case, plan)
          write (unit, '(a)') 'Solver       '//solver_text(case)
@@ -107,7 +107,7 @@ contains
          ' about '//to_text(plan%expected%total(), 2)//' ('//errors_text(plan%expected)//')'
    end function expected_text
 
-   !> The scheme, where it is the fitted one, and what it spares.
+   !> The fitted scheme, if used, and its savings.
    function scheme_text(case, plan) result(text)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan

@@ -1,5 +1,5 @@
 !> The table of quantities: input, plan and result of a case. JSON, stores and HDF5 files follow from it, so a new
-!> quantity is one entry here and the code that computes it.
+!> quantity needs an entry here and the code that computes it.
 !>
 !> An entry has a name, a long name and the value. It has a unit where the number is not dimensionless, and `exists`
 !> where only some cases have it. `add_key` takes the description of a quantity that is also a key from its table.
@@ -8,18 +8,19 @@ module ehlwave_quantities
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_effect_result, only: after_film, after_friction
    use ehlwave_effects_keys, only: effect_count
    use ehlwave_effects_plan, only: error_help, error_name
    use ehlwave_error_account, only: validity_text
    use ehlwave_error_parts, only: error_parts_t
-   use ehlwave_heat_result, only: heat_result_t
    use ehlwave_input_quantities, only: add_case, add_formulas, add_lengths
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_rolling_result, only: rolling_result_t
+   use ehlwave_sensitivity_quantities, only: add_sensitivities
    use ehlwave_status, only: status_name
-   use ehlwave_wave_quantities, only: add_pair, add_response, add_sensitivities
+   use ehlwave_wave_quantities, only: add_pair, add_response
    implicit none (type, external)
    private
    public :: add_result
@@ -40,7 +41,7 @@ contains
       call add_case(list, case, plan)
       call list%add('is_resolved', '1 when the grid resolves the case', result%is_resolved)
       call add_smooth_film(list, plan, result)
-      call result%effects%add_quantities(list, plan)
+      call result%effects%add_quantities(after_film, list, case, plan)
       call add_shear(list, case, plan, result)
       call list%add('load_error', 'largest load error of the solutions', result%load_error)
       call list%add('residual', 'largest mass residual of the solutions', result%residual)
@@ -48,9 +49,9 @@ contains
       call list%add('amplitude_ratio_fit', 'Ad/Ai from a harmonic fit', result%amplitude_ratio_fit)
       call list%add('phase_fit', 'phase of the harmonic fit against the pattern at the centre', result%phase_fit, &
          unit='rad')
-      call list%add('mean_film', 'mean of H(0,0) over what is measured: a period, all phases, or a surface', &
+      call list%add('mean_film', 'mean of H(0,0) over the measurement: a period, all phases, or a surface', &
          result%mean_film)
-      call list%add('march_from', "what the march that Ad/Ai is from started in: 'rest' or 'waves'", trim(result%route))
+      call list%add('march_from', "start of the march of Ad/Ai: 'rest' or 'waves'", trim(result%route))
       call list%add('central_film_error', 'estimated relative error of central_film', result%central_film_error, &
                     error_of='H(0,0)')
       call list%add('minimum_film_error', 'estimated relative error of minimum_film', result%minimum_film_error, &
@@ -61,23 +62,23 @@ contains
                     error_of='friction')
       call list%add('friction_error_domain', 'part of it by the oil outside the domain, out to radius_x_m from the '// &
                     'centre and at least twice the domain', result%friction_domain_error)
-      call list%add('film_error_basis', 'what the errors of film and friction are from', trim(result%film_error_basis))
+      call list%add('film_error_basis', 'basis of the errors of film and friction', trim(result%film_error_basis))
       call list%add('film_order', 'observed order of central_film on three levels', result%film_order)
       call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error, &
                     error_of='Ad/Ai')
-      call list%add('amplitude_error_basis', 'what amplitude_ratio_error is from', &
+      call list%add('amplitude_error_basis', 'basis of amplitude_ratio_error', &
                     trim(result%amplitude_error_basis))
       call add_parts(list, 'film', 'H(0,0)', result%film_errors)
       call add_parts(list, 'ratio', 'Ad/Ai', result%ratio_errors)
-      call list%add('error_estimate', 'sum of the parts of the error of Ad/Ai, of two surfaces of the worse one, '// &
-                    'of smooth contacts of H(0,0): what accuracy is about', result%error_estimate, &
+      call list%add('error_estimate', 'sum of the parts of the error of Ad/Ai, the larger of two surfaces, '// &
+                    'or of H(0,0) of a smooth contact; compared with accuracy', result%error_estimate, &
                     error_of=trim(merge('Ad/Ai ', 'H(0,0)', case%has_ratio())))
       call list%add('refinements', 'runs on finer grids than the first, for an accuracy', result%refinements)
-      call list%add('validity', 'what the result holds for: edges, linear range, warnings', &
+      call list%add('validity', 'range of validity: edges, linear range, warnings', &
                     validity_text(case, plan, result%warning))
       call add_response(list, result%harmonic, '', .true.)
       call add_pair(list, case%is_pair(), result%pair)
-      call add_sensitivities(list, case, result%by_oil)
+      call add_sensitivities(list, case, result)
       call add_formulas(list, result)
       call add_effort(list, result)
    end subroutine add_result
@@ -90,15 +91,15 @@ contains
       integer :: k
       call list%add(of//'_error_mesh', 'relative error of '//what//' by the mesh', parts%mesh)
       do k = 1, effect_count
-         if (error_name(k) /= '') call list%add(of//'_error_'//error_name(k), 'the same by '//error_help(k), &
+         if (error_name(k) /= '') call list%add(of//'_error_'//error_name(k), 'part by '//error_help(k), &
                                                 parts%by_effect(k))
       end do
-      call list%add(of//'_error_domain', 'the same by the edges of the domain', parts%domain)
-      call list%add(of//'_error_time', 'the same by steps longer than hX', parts%time)
-      call list%add(of//'_error_amplitude', 'the same by the size of the waves, which respond unlike small ones', &
+      call list%add(of//'_error_domain', 'part by the edges of the domain', parts%domain)
+      call list%add(of//'_error_time', 'part by steps longer than hX', parts%time)
+      call list%add(of//'_error_amplitude', 'part by the size of the waves, which respond unlike small waves', &
          parts%amplitude)
-      call list%add(of//'_error_settling', 'the same by what still changes from period to period', parts%settling)
-      call list%add(of//'_error_algebraic', 'the same by the tolerances', parts%algebraic)
+      call list%add(of//'_error_settling', 'part by changes from period to period', parts%settling)
+      call list%add(of//'_error_algebraic', 'part by the tolerances', parts%algebraic)
    end subroutine add_parts
 
    subroutine add_smooth_film(list, plan, result)
@@ -128,7 +129,7 @@ contains
       type(case_result_t), intent(in) :: result
       logical :: is_estimated   !! the temperature rise, which &heat computes
 
-      is_estimated = plan%conditions%has_dimensions .and. .not. case%heat%is_given()
+      is_estimated = plan%conditions%has_dimensions .and. .not. case%effects%are_warm()
       associate (r => result%shear)
          call list%add('friction_coefficient', 'friction of the smooth contact over the load, within the domain, '// &
                        'mean of both surfaces', r%friction_coefficient)
@@ -150,8 +151,8 @@ contains
             r%contact_rise_k, unit='K', exists=is_estimated)
       end associate
       call add_rolling(list, plan%conditions, result%rolling)
-      call add_heat(list, case, plan, result%heat)
-      call list%add('warning', 'what the model leaves out and matters here', result%warning)
+      call result%effects%add_quantities(after_friction, list, case, plan)
+      call list%add('warning', 'relevant effect that the model lacks', result%warning)
    end subroutine add_shear
 
    !> Resistance to rolling.
@@ -181,54 +182,6 @@ contains
          call list%add('rolling_resistance_outside', 'share of them by oil outside the domain', rolling%share_outside)
       end associate
    end subroutine add_rolling
-
-   !> Temperatures and heat, where they are found.
-   subroutine add_heat(list, case, plan, heat)
-      type(quantity_list_t), intent(inout) :: list
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      type(heat_result_t), intent(in) :: heat
-      character(len=3) :: watt
-      character(len=1) :: wall
-      logical :: is_warm
-      integer :: i
-
-      is_warm = case%heat%is_given()
-      watt = merge('W/m', 'W  ', plan%conditions%is_line())
-      call list%add('isothermal_friction_coefficient', 'friction_coefficient without heat', heat%isothermal_friction, &
-         exists=is_warm)
-      call list%add('isothermal_central_film', 'central_film without heat', heat%isothermal_film, exists=is_warm)
-      call list%add('largest_rise_mid_film_k', 'largest rise of the temperature half-way across the film', &
-         heat%largest_mid_k, unit='K', exists=is_warm)
-      call list%add('central_rise_mid_film_k', 'the same at the contact centre', heat%centre_mid_k, unit='K', &
-         exists=is_warm)
-      call list%add('largest_rise_mean_k', 'largest rise of the mean temperature across the film', &
-         heat%largest_mean_k, unit='K', exists=is_warm)
-      do i = 1, 2
-         wall = merge('1', '2', i == 1)
-         call list%add('largest_rise_wall_'//wall//'_k', 'largest rise of the temperature of surface '//wall, &
-            heat%largest_wall_k(i), unit='K', exists=is_warm)
-         call list%add('central_rise_wall_'//wall//'_k', 'the same at the contact centre', heat%centre_wall_k(i), &
-            unit='K', exists=is_warm)
-         call list%add('heat_into_body_'//wall, 'heat that flows into body '//wall//' under pressure', &
-            heat%into_body_w(i), unit=trim(watt), exists=is_warm)
-      end do
-      call list%add('heat_of_shear', 'power dissipated by shear', heat%sheared_w, unit=trim(watt), exists=is_warm)
-      call list%add('heat_of_compression', 'heat of compression less that of expansion', heat%compressed_w, &
-         unit=trim(watt), exists=is_warm)
-      call list%add('heat_carried_by_oil', 'heat that the oil carries out of the film under pressure', heat%carried_w, &
-         unit=trim(watt), exists=is_warm)
-      call list%add('heat_levels_error', 'error of film and friction by the levels across the film, part of theirs', &
-         heat%levels_error, exists=is_warm)
-      call list%add('heat_balance_error', 'heat that is missing over the largest part', heat%balance_error, &
-         exists=is_warm)
-      call list%add('frozen_heat_error', 'estimated error of Ad/Ai over Ai by temperatures that stay as waves '// &
-         'pass; part of no other error', heat%frozen_error, exists=is_warm .and. case%is_wavy())
-      call list%add('wave_temperatures', "temperatures as waves pass: 'frozen', those of the smooth contact; "// &
-         "'carried', in marches those of the oil in time", trim(merge(case%heat%wave_temperatures, &
-         repeat(' ', len(case%heat%wave_temperatures)), is_warm .and. case%is_wavy())), &
-         exists=is_warm .and. case%is_wavy())
-   end subroutine add_heat
 
    subroutine add_effort(list, result)
       type(quantity_list_t), intent(inout) :: list

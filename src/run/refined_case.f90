@@ -1,4 +1,4 @@
-!> Runs one case, and again on finer grids if its estimated error is above the `accuracy` of the input.
+!> Runs a case, and again on finer grids if its estimated error is above the `accuracy` of the input.
 module ehlwave_refined_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_account, only: add_warning
@@ -46,11 +46,11 @@ contains
    end subroutine run_refined_case
 
    !> Run a case as planned, see `run_estimated_case`. With an accuracy and flooded edges it is run again on finer grids
-   !> while the estimate is above it; `plan` is then that of the result. What stays above it is `inaccurate`. With
-   !> truncated edges, which old results have, the estimate is told and nothing follows from it.
+   !> while the estimate is above it; `plan` then belongs to the result. A result above the accuracy is `inaccurate`.
+   !> With truncated edges, as in old results, the estimate is reported without consequence.
    !>
    !> A case that is stopped in a finer run counts as interrupted; its finer runs start again. When its time is up
-   !> there, the result before stands.
+   !> there, the previous result is kept.
    subroutine run_and_refine(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(inout) :: plan
@@ -101,8 +101,8 @@ contains
       if (ieee_is_finite(result%error_estimate) .and. result%error_estimate <= case%accuracy) then
          if (is_measured(case, result)) return
          result%status = status_inaccurate
-         result%message = 'no coarser grid tells the error: the '//to_text(result%error_estimate, 2)// &
-                          ' that the plan expects is no promise of the accuracy asked for; take other cells'
+         result%message = 'no coarser grid shows the error: the '//to_text(result%error_estimate, 2)// &
+                          ' expected by the plan does not prove the requested accuracy; take other cells'
          return
       end if
       result%status = status_inaccurate
@@ -111,7 +111,7 @@ contains
                        advice(case, plan, result)
    end subroutine run_and_refine
 
-   !> Whether the error of what the case is about was found on coarser grids, if that was not left to the model.
+   !> Whether coarser grids gave the error of the main quantity, unless the model was requested.
    pure logical function is_measured(case, result)
       type(case_t), intent(in) :: case
       type(case_result_t), intent(in) :: result
@@ -124,14 +124,14 @@ contains
       end if
    end function is_measured
 
-   !> Errors of what the case is about.
+   !> Errors of the main quantity.
    type(error_parts_t) function parts_of(case, result)
       type(case_t), intent(in) :: case
       type(case_result_t), intent(in) :: result
       parts_of = merge(result%ratio_errors, result%film_errors, case%has_ratio())
    end function parts_of
 
-   !> Advice on what would help.
+   !> Advice on a remedy.
    function advice(case, plan, result) result(text)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan

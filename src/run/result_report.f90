@@ -3,10 +3,12 @@ module ehlwave_result_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_effect_result, only: after_film, after_friction
    use ehlwave_error_account, only: error_asked_for, errors_text, validity_text
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
+   use ehlwave_sensitivity_report, only: print_sensitivities
    use ehlwave_status, only: is_solved, status_name
    use ehlwave_text, only: to_text
    use ehlwave_threads, only: thread_count
@@ -28,7 +30,7 @@ contains
       if (result%rung /= 'direct') write (unit, '(a)') 'Rescue       '//trim(result%rung)//', '// &
          to_text(result%rescued_solutions)//' solutions rescued'
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
-      call result%effects%print(unit)
+      call result%effects%print(after_film, unit, plan)
       call print_shear()
       if (plan%surfaces%is_measured() .and. is_solved(result%status)) then
          if (plan%first_sample < result%time_steps) write (unit, &
@@ -51,7 +53,7 @@ contains
             to_text(result%f_r*result%v, 5)//', f(r) V2 = '//to_text(result%f_r*result%v2, 5)//', f(r) = '// &
             to_text(result%f_r, 5)
       end if
-      call print_sensitivities()
+      call print_sensitivities(unit, result)
       if (ieee_is_finite(result%central_film_error)) write (unit, &
          '(a)') 'Estimated    relative errors: H(0,0) by the grid '// &
          to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)// &
@@ -81,7 +83,7 @@ contains
          if (thread_count() > 1) text = to_text(thread_count())//' threads, '
       end function threads
 
-      !> Ad/Ai by the formula, which is one for pure rolling.
+      !> Ad/Ai by the formula, which holds for pure rolling.
       function formula() result(text)
          character(len=:), allocatable :: text
          text = ''
@@ -103,7 +105,7 @@ contains
          text = ''
          if (ieee_is_finite(result%friction_error)) then
             text = ', friction '//to_text(result%friction_error, 2)
-         else if (case%heat%is_given() .and. ieee_is_finite(result%shear%friction_coefficient)) then
+         else if (case%effects%are_warm() .and. ieee_is_finite(result%shear%friction_coefficient)) then
             text = ', friction not known'
          end if
       end function friction_error
@@ -137,29 +139,13 @@ contains
             to_text(r%counted_work_units, 4)//' work units'
       end subroutine print_response
 
-      !> Exponents of the oil's coefficient and stress in laws of H(0,0) and Ad/Ai.
-      subroutine print_sensitivities()
-         character(len=6), parameter :: by(2) = [character(len=6) :: 'alpha', 'stress']
-         character(len=:), allocatable :: response
-         integer :: x
-         do x = 1, size(by)
-            associate (r => result%by_oil(x))
-               response = ''
-               if (ieee_is_finite(r%response)) response = ', Ad/Ai with '//to_text(r%response, 4)
-               if (ieee_is_finite(r%film)) write (unit, '(a)') 'Sensitivity  H(0,0) goes with the power '// &
-                  to_text(r%film, 4)//' of '//trim(by(x))//response
-            end associate
-         end do
-      end subroutine print_sensitivities
-
       subroutine print_shear()
          associate (r => result%shear)
             if (ieee_is_finite(r%friction_coefficient)) write (unit, '(a)') 'Friction     coefficient '// &
                to_text(r%friction_coefficient, 5)//largest_b()
             if (ieee_is_finite(result%rolling%coefficient)) call print_rolling()
-            if (ieee_is_finite(result%heat%isothermal_film)) then
-               call print_heat()
-            else if (ieee_is_finite(r%inlet%rise_k) .and. .not. case%heat%is_given()) then
+            call result%effects%print(after_friction, unit, plan)
+            if (ieee_is_finite(r%inlet%rise_k) .and. .not. case%effects%are_warm()) then
                write (unit, '(a)') '             estimated temperature rise: inlet '//to_text(r%inlet%rise_k, 2)// &
                   ' K, contact '//to_text(r%contact_rise_k, 2)//' K (the model is isothermal)'
             end if
@@ -180,20 +166,6 @@ contains
                trim(merge(' W/m', ' W  ', c%is_line()))
          end associate
       end subroutine print_rolling
-
-      subroutine print_heat()
-         associate (h => result%heat)
-            write (unit, '(a)') 'Heat         without it H(0,0) = '//to_text(h%isothermal_film, 6)// &
-               ', friction coefficient '//to_text(h%isothermal_friction, 5)
-            write (unit, '(a)') '             largest rise mid-film '//to_text(h%largest_mid_k, 3)//' K, surfaces '// &
-               to_text(h%largest_wall_k(1), 3)//' and '//to_text(h%largest_wall_k(2), 3)//' K; at the centre '// &
-               to_text(h%centre_mid_k, 3)//', '//to_text(h%centre_wall_k(1), 3)//' and '// &
-               to_text(h%centre_wall_k(2), 3)//' K'
-            write (unit, '(a)') '             heat into bodies 1 and 2 '//to_text(h%into_body_w(1), 4)//' and '// &
-               to_text(h%into_body_w(2), 4)//trim(merge(' W/m', ' W  ', plan%conditions%is_line()))// &
-               ', heat balance '//to_text(h%balance_error, 2)
-         end associate
-      end subroutine print_heat
 
       function largest_b() result(text)
          character(len=:), allocatable :: text

@@ -2,21 +2,24 @@
 module ehlwave_rolling_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_error_estimate, only: estimate_error, formal_order
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_rolling_moment, only: shift_inside, shift_outside, wet_share
+   use ehlwave_state, only: state_t
    implicit none (type, external)
    private
+   public :: rolling_coefficient
 
    !> NaN where it is not known: the coefficient without E' and pressure, the others without lengths.
    type, public :: rolling_result_t
       real(dp) :: pressure_centre_x = no_value        !! X of the pressure's centre, oil outside the domain included
       real(dp) :: coefficient = no_value              !! resisting force at each surface over the load
-      real(dp) :: share_outside = no_value            !! of it, by oil outside the domain
+      real(dp) :: share_outside = no_value            !! share of it, by oil outside the domain
       real(dp) :: error = no_value                    !! relative, of all of them
       real(dp) :: domain_error = no_value             !! part of it by the edges of the domain
-      real(dp), private :: share_missing = 0          ! of it, that oil outside a dry edge would have
+      real(dp), private :: share_missing = 0          ! share of it, for the missing oil outside a dry edge
    contains
       procedure :: take
       procedure :: add_errors
@@ -26,10 +29,10 @@ module ehlwave_rolling_result
    end type rolling_result_t
 
    integer, parameter :: fewest_domains = 2        !! out to which oil counts, at least
-   real(dp), parameter :: mesh_margin = 2           !! of what grids show
+   real(dp), parameter :: mesh_margin = 2           !! factor on the error shown by grids
    real(dp), parameter :: first_order = 1          !! with two grids
-   real(dp), parameter :: film_share = 0.25_dp     !! of the film error, at least: grids can agree by chance
-   real(dp), parameter :: far_share = 0.03_dp      !! error of the far field, over what it contributes
+   real(dp), parameter :: film_share = 0.25_dp     !! share of the film error, at least: grids can agree by chance
+   real(dp), parameter :: far_share = 0.03_dp      !! error of the far field, over its contribution
 
 contains
 
@@ -43,7 +46,7 @@ contains
 
       shift = no_value
       associate (problem => levels(1)%problem)
-         times = max(real(fewest_domains, dp), problem%conditions%radius_over_a()/abs(problem%grid%x(0)))
+         times = times_outside(problem)
          all_outside = shift_outside(problem, times)
          outside = all_outside*wet_share(problem, levels(1)%state)
          do l = 1, size(levels)
@@ -58,17 +61,33 @@ contains
       end associate
    end subroutine take
 
-   !> Complete the error, which so far is that of the mesh; where no second grid shows that, it is the film error.
-   pure subroutine add_errors(self, film_error, edge_error, heat_error, lacks_oil)
+   !> How far out oil counts, over the size of the domain.
+   pure real(dp) function times_outside(problem) result(times)
+      type(contact_problem_t), intent(in) :: problem
+      times = max(real(fewest_domains, dp), problem%conditions%radius_over_a()/abs(problem%grid%x(0)))
+   end function times_outside
+
+   !> The coefficient of a steady solution; NaN where it is not known.
+   real(dp) function rolling_coefficient(problem, state) result(coefficient)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      coefficient = no_value
+      if (.not. problem%conditions%radius_over_a() > 0) return
+      coefficient = (shift_inside(problem, state) + shift_outside(problem, times_outside(problem))* &
+                     wet_share(problem, state))/(2*problem%conditions%radius_over_a())
+   end function rolling_coefficient
+
+   !> Complete the error, so far the mesh error; where no second grid shows it, it is the film error.
+   pure subroutine add_errors(self, film_error, edge_error, solver_error, lacks_oil)
       class(rolling_result_t), intent(inout) :: self
-      real(dp), intent(in) :: film_error   !! of H(0,0), relative, by the mesh
+      real(dp), intent(in) :: film_error   !! error of H(0,0), relative, by the mesh
       real(dp), intent(in) :: edge_error   !! by the edges of the domain
-      real(dp), intent(in) :: heat_error   !! by temperatures that have not settled and by the levels across the film
+      real(dp), intent(in) :: solver_error   !! by the solution of effects, as of temperatures
       logical, intent(in) :: lacks_oil     !! whether a longer domain would be full from farther upstream
       if (.not. ieee_is_finite(self%error)) self%error = film_error
       self%domain_error = edge_error + far_share*self%share_outside
       if (lacks_oil) self%domain_error = self%domain_error + self%share_missing
-      self%error = max(self%error, film_share*film_error) + self%domain_error + heat_error
+      self%error = max(self%error, film_share*film_error) + self%domain_error + solver_error
    end subroutine add_errors
 
    !> Force at each surface, N, of a line contact N/m.

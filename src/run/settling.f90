@@ -1,4 +1,4 @@
-!> Waves at the contact centre from period to period, and the error of Ad/Ai by what has not settled.
+!> Waves at the contact centre from period to period, and the error of Ad/Ai by its unsettled part.
 module ehlwave_settling
    use ehlwave_amplitude, only: fit_misfit, fitted_harmonic, fitted_harmonics, fitted_mean
    use ehlwave_case_definition, only: case_t
@@ -12,22 +12,22 @@ module ehlwave_settling
    private
    public :: left_to_come, settling_error, unrest_text, wave_parts
 
-   real(dp), parameter :: settling_share = 0.5_dp   !! of the change from period to period that is still to come
+   real(dp), parameter :: settling_share = 0.5_dp   !! share of the change from period to period that is still to come
    real(dp), parameter :: largest_series = 20       !! changes of which a geometric series is taken to consist
-   real(dp), parameter :: safety = 2                !! of what it leaves
-   real(dp), parameter :: largest_error = 100        !! told where nothing of an amplitude is sure
-   real(dp), parameter :: quiet = 0.05_dp           !! error by what has not settled that needs no warning
+   real(dp), parameter :: safety = 2                !! safety factor on the rest
+   real(dp), parameter :: largest_error = 100        !! reported where the amplitude is unknown
+   real(dp), parameter :: quiet = 0.05_dp           !! error by the unsettled part that needs no warning
 
 contains
 
-   !> Relative error of the amplitude in the last period. Waves alone settle as `change_in_a_period` says. Where the
-   !> layer of oil or the load changes besides, or the contact may swing, see `left_to_come`; before the inlet can have
-   !> followed a change of the layer nothing is known.
+   !> Relative error of the amplitude in the last period. `change_in_a_period` gives the settling of waves alone. Where
+   !> the layer of oil or the load changes besides, or the contact may swing, see `left_to_come`; before the inlet can
+   !> have followed a change of the layer the error is unknown.
    real(dp) function settling_error(case, plan, history, result) result(error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(march_result_t), intent(in) :: history
-      type(case_result_t), intent(in) :: result  !! with what the last period has
+      type(case_result_t), intent(in) :: result  !! with the data of the last period
       complex(dp), allocatable :: parts(:, :)
       real(dp), allocatable :: means(:), misfits(:), periods(:)
       integer :: before, n
@@ -60,15 +60,15 @@ contains
                          case%load_balance == 'equation_of_motion'
    end function is_moved_besides
 
-   !> The rest of the change of an amplitude, over where it ends, by the last three periods: wave, mean film and what
-   !> their fit leaves. As a contact settles or swings, the changes d of the complex wave are a geometric series of the
-   !> ratio q = d2/d1, and what is to come is d2 q/(1 - q). A drift of the mean enters the fit of a wave with 1/pi of
-   !> it. With two periods there is no ratio, with one nothing is known. Of 162 results of 54 random marches
-   !> (changes of the layer, load steps, contacts that swing; 16 cells per a; the planned end and early ones) none was
-   !> further off the settled Ad/Ai, but for where samples lie in a period, and for one of which nothing was sure.
+   !> The rest of the change of an amplitude, over its final value, by the last three periods: wave, mean film and
+   !> misfit. As a contact settles or swings, the changes d of the complex wave are a geometric series of the ratio q =
+   !> d2/d1, and the rest is d2 q/(1 - q). A drift of the mean enters the fit of a wave with 1/pi of it. With two
+   !> periods there is no ratio, with one the rest is unknown. In 162 results of 54 random marches (changes of the
+   !> layer, load steps, contacts that swing; 16 cells per a; the planned end and early ends) the estimate covered the
+   !> distance to the settled Ad/Ai, apart from the position of samples in a period.
    pure real(dp) function left_to_come(parts, means, misfits) result(error)
-      complex(dp), intent(in) :: parts(:)             !! of the wave, a period each, the last one last
-      real(dp), intent(in) :: means(:), misfits(:)    !! of the film in the same periods
+      complex(dp), intent(in) :: parts(:)             !! parts of the wave, one per period, in order
+      real(dp), intent(in) :: means(:), misfits(:)    !! means of the film in the same periods
       complex(dp) :: changes(size(parts) - 1)
       real(dp) :: left, series
       integer :: n
@@ -89,7 +89,7 @@ contains
    function unrest_text(case, plan, error) result(text)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      real(dp), intent(in) :: error             !! of `settling_error`
+      real(dp), intent(in) :: error             !! result of `settling_error`
       character(len=:), allocatable :: text
       text = ''
       if (.not. is_moved_besides(case) .or. error <= quiet) return
@@ -99,20 +99,20 @@ contains
       else
          text = 'the film still changes, and not by the waves alone'
          if (error < 1) text = text//', which may leave '//to_text(100*error, 2)//' % in Ad/Ai'
-         if (error >= 1) text = text//': Ad/Ai is not that of the waves'
+         if (error >= 1) text = text//': Ad/Ai does not describe the waves'
          text = text//'; take '//trim(merge('a later end_time     ', 'more settling_periods', case%end_time > 0))
       end if
    end function unrest_text
 
-   !> Relative error of the amplitude in the last period, by what it has changed since the period before; 0 where there
-   !> is none. Measured from rest after `settling_periods` = 1: 0.02 to 0.8 of the change is still to come, most where
-   !> it is small. With fewer, all of the change is counted: the period before has what came in before the waves, and
-   !> the equation of motion goes on to swing (M = 47, Omega = 3.5: 5 per cent off with none).
+   !> Relative error of the amplitude in the last period, by its change since the period before; 0 without one.
+   !> Measured from rest after `settling_periods` = 1: 0.02 to 0.8 of the change is still to come, most where it is
+   !> small. With fewer, all of the change is counted: the period before contains the time before the waves, and the
+   !> equation of motion continues to swing (M = 47, Omega = 3.5: 5 per cent off with none).
    real(dp) function change_in_a_period(case, plan, history, result) result(change)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(march_result_t), intent(in) :: history
-      type(case_result_t), intent(in) :: result  !! with what the last period has
+      type(case_result_t), intent(in) :: result  !! with the data of the last period
       complex(dp) :: parts(size(plan%surfaces%list))
       real(dp) :: ratios(size(plan%surfaces%list))
       integer :: first, last, n
@@ -131,10 +131,10 @@ contains
       if (case%settling_periods >= 1 .and. .not. case%end_time > 0) change = settling_share*change
    end function change_in_a_period
 
-   !> The wave of each surface in the film at the centre, as by `fitted_harmonic`. Two of one frequency cannot be told
-   !> apart there: they have their shares of it where they are one pattern, else it is NaN.
+   !> The wave of each surface in the film at the centre, as by `fitted_harmonic`. Two waves of equal frequency cannot
+   !> be separated there: they have their shares of a single pattern, else it is NaN.
    pure function wave_parts(surfaces, central_film, time, film) result(parts)
-      type(surfaces_t), intent(in) :: surfaces        !! that move
+      type(surfaces_t), intent(in) :: surfaces        !! surfaces that move
       real(dp), intent(in) :: central_film            !! smooth H(0,0)
       real(dp), intent(in) :: time(:), film(:)        !! H(0,0) at T
       complex(dp) :: parts(size(surfaces%list))

@@ -1,50 +1,44 @@
-!> Steady state of one contact and the linear systems about it, shared by all patterns that meet it.
+!> Steady state of a contact and the linear systems about it, shared by all its patterns.
 module ehlwave_shared_steady
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_text, only: effective_input
+   use ehlwave_contact_variant, only: contact_variable_t
    use ehlwave_effects_result, only: effects_result_t
    use ehlwave_energy, only: energy_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_harmonic_solver, only: harmonic_solver_t
-   use ehlwave_heat_data, only: new_heat_scales
-   use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp
-   use ehlwave_oil_sensitivity, only: by_alpha, by_stress, differentiate_steady
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_rescue, only: rescue_t, rung_direct
    use ehlwave_rolling_result, only: rolling_result_t
-   use ehlwave_shear_stress, only: friction_at
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_status, only: status_converged
-   use ehlwave_steady_tangent, only: tangent_change_t
+   use ehlwave_steady_gradient, only: steady_gradient_t
    use ehlwave_text, only: to_text
-   use ehlwave_warm_steady, only: solve_warm
    implicit none (type, external)
    private
    public :: limits_of, steady_key
 
-   !> It owns the hierarchy. What holds so much is a `class` here and where it is declared: for a `type` gfortran writes
-   !> copies and ends of all its parts into each procedure, which takes three times as long to compile.
+   !> It owns the hierarchy. Such a large object is a `class` here and where it is declared: for a `type` gfortran
+   !> writes copies and ends of all its parts into each procedure, which compiles three times as long.
    type, public :: shared_steady_t
       type(full_multigrid_t) :: multigrid
-      type(energy_t) :: energy                       !! of the steady state, where it is with heat
-      type(heat_result_t) :: heat                    !! and the account of it
+      type(energy_t) :: energy                       !! energy equation of the steady state, with heat
       type(rolling_result_t) :: rolling              !! its resistance to rolling
-      type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
+      type(rescue_t) :: rescue                       !! as the steady state left it, for later parts of a case
       class(harmonic_solver_t), allocatable :: response          !! about the finest level
-      type(tangent_change_t) :: by_oil(2)            !! of its state, by ln(alpha) and by ln(stress), see
-                                                     !! `differentiate`
-      class(harmonic_solver_t), allocatable :: coarse_response   !! about the next coarser one, if `has_coarse`
+      type(steady_gradient_t) :: gradient            !! gradient of its state, see `differentiate`
+      class(harmonic_solver_t), allocatable :: coarse_response   !! about the next coarser state, if `has_coarse`
       logical :: has_coarse = .false.
       integer :: many_nodes = 1000000                !! above which linear systems are not kept side by side
       real(dp) :: work = 0                           !! operations that the steady state took
-      type(effects_result_t) :: effects              !! of the steady state
-      real(dp), private :: linear_work = 0, derivative_work = 0   ! and what is kept with it
-      real(dp), private :: kept_work = 0, mark = 0   ! of the case at hand: what others did for it; count at its start
+      type(effects_result_t) :: effects              !! effects of the steady state
+      real(dp), private :: linear_work = 0, derivative_work = 0   ! work of linear systems and derivatives kept with it
+      real(dp), private :: kept_work = 0, mark = 0   ! work by other cases for the present one; count at its start
       logical, private :: is_linearised = .false., is_differentiated = .false.
-      character(len=:), allocatable, private :: key  ! of the steady state held, if it may be used again
+      character(len=:), allocatable, private :: key  ! key of the steady state held, if reusable
    contains
       procedure :: prepare
       procedure :: work_so_far
@@ -53,16 +47,17 @@ module ehlwave_shared_steady
       procedure :: differentiate
    end type shared_steady_t
 
-   ! Of the levels below the finest. As a first guess 1e-3 would do; the error estimate wants the discretisation error
-   ! of these levels alone (M = 20, D = 0.35 on 512^2: 1e-3 leaves 4e-4 of H(0,0), ten times the error of the finest).
+   ! Tolerance of the levels below the finest. A first guess needs 1e-3; the error estimate needs the discretisation
+   ! error of these levels alone (M = 20, D = 0.35 on 512^2: 1e-3 leaves 4e-4 of H(0,0), ten times the error of the
+   ! finest).
    real(dp), parameter :: coarse_tolerance = 1e-5_dp
 
-   real(dp), parameter :: tangent_tolerance = 1e-6_dp   !! of its derivatives, at most
+   real(dp), parameter :: tangent_tolerance = 1e-6_dp   !! tolerance of its derivatives, at most
 
 contains
 
-   !> The input on which the steady state of a case depends: all of its input but the waves and what is done with them,
-   !> of a Newtonian oil without heat but the sliding, too. Cells, domain and cap on the steps are those of the plan.
+   !> The input on which the steady state of a case depends: all of its input except the waves and their computation;
+   !> for a Newtonian oil without heat also except the sliding. Cells, domain and cap on the steps come from the plan.
    function steady_key(case, plan) result(key)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -72,7 +67,7 @@ contains
       bare = case
       bare%orientation = 'none'
       bare%second = defaults%second
-      if (plan%rheology%is_newtonian() .and. .not. case%heat%is_given()) &
+      if (plan%rheology%is_newtonian() .and. .not. case%effects%are_warm()) &
          bare%slip_parameter = defaults%slip_parameter   ! else slip thins or warms the oil
       bare%load_balance = defaults%load_balance
       bare%natural_frequency = defaults%natural_frequency
@@ -117,8 +112,8 @@ contains
       self%mark = 0
       self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps, work_left=plan%largest_work)
       call self%rescue%solve_steady(self%multigrid, limits_of(case), coarse_tolerance)
-      call self%effects%solve(plan, self%multigrid, self%rescue, limits_of(case), coarse_tolerance)
-      if (case%heat%is_given()) call warm(self, case, plan)
+      self%effects = effects_result_t()
+      call self%effects%solve(case, plan, self%multigrid, self%rescue, limits_of(case), coarse_tolerance, self%energy)
       ! before `linearise` solves the coarser level again, so that kept states have the same error
       self%rolling = rolling_result_t()
       associate (levels => self%multigrid%levels)
@@ -127,27 +122,6 @@ contains
       end associate
       self%work = self%multigrid%work()
    end subroutine prepare
-
-   !> Let the oil be warm, from the isothermal state.
-   subroutine warm(self, case, plan)
-      class(shared_steady_t), intent(inout) :: self
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-
-      self%heat = heat_result_t()
-      associate (level => self%multigrid%levels(size(self%multigrid%levels)))
-         if (level%report%status /= status_converged) return
-         self%heat%isothermal_film = level%problem%grid%value_at_centre(level%state%h)
-         self%heat%isothermal_friction = friction_at(level%problem, level%state)
-         call solve_warm(self%multigrid, self%rescue, new_heat_scales(case%heat, case%oil%temperature_k, &
-            plan%conditions), case%heat%levels, limits_of(case), coarse_tolerance, self%energy)
-         if (level%report%status == status_converged) then
-            call self%heat%take(level%problem, level%state, self%energy)
-         else
-            call self%heat%explain(self%energy)
-         end if
-      end associate
-   end subroutine warm
 
    !> Operations of the case at hand, as if it had found all itself that was kept for it.
    pure real(dp) function work_so_far(self)
@@ -162,8 +136,8 @@ contains
       climbs = plan%resolution%is_resolved
    end function climbs
 
-   !> Whether the state held is what a case of the same key would come to: the waves decide whether the grid resolves a
-   !> case, and with that how far it may climb the ladder. What the direct solve found has nothing to do with that.
+   !> Whether the state held is the result of a case of the same key. The waves decide whether the grid resolves a
+   !> case, and thus its limit on the ladder; a direct solve is independent of this.
    pure logical function serves(self, plan)
       type(shared_steady_t), intent(in) :: self
       type(case_plan_t), intent(in) :: plan
@@ -173,8 +147,8 @@ contains
       end associate
    end function serves
 
-   !> Linear systems about the steady state, and about that of the next coarser grid, which is solved to the same
-   !> tolerance first.
+   !> Linear systems about the steady state, and about the state on the next coarser grid, first solved to the same
+   !> tolerance.
    subroutine linearise(self, case, plan)
       class(shared_steady_t), intent(inout) :: self
       type(case_t), intent(in) :: case
@@ -191,7 +165,7 @@ contains
       end if
       n = size(self%multigrid%levels)
       self%has_coarse = n > 1
-      if (n > 1 .and. case%heat%is_given()) self%has_coarse = self%multigrid%levels(n - 1)%has_film()   ! a warm one
+      if (n > 1 .and. case%effects%are_warm()) self%has_coarse = self%multigrid%levels(n - 1)%has_film()   ! if warm
       if (self%has_coarse) then
          call self%multigrid%solve_level(n - 1, limits_of(case), report)
          self%has_coarse = report%status == status_converged
@@ -213,8 +187,8 @@ contains
       is_large = size(self%multigrid%levels(size(self%multigrid%levels))%state%p) > self%many_nodes
    end function is_large
 
-   !> Have the tangent, for what follows a response: on a large grid in place of the system of the response, which the
-   !> next case makes anew, unless that is still wanted.
+   !> Provide the tangent, for steps after a response. On a large grid it replaces the system of the response, which
+   !> the next case makes anew, unless it is still needed.
    subroutine make_room(self, keeps_response)
       class(shared_steady_t), intent(inout) :: self
       logical, intent(in) :: keeps_response
@@ -223,25 +197,21 @@ contains
       call self%response%count_tangent(self%multigrid%levels)
    end subroutine make_room
 
-   !> Derivatives of the steady state by the oil. Where the oil does not depend on a property they are not converged.
-   subroutine differentiate(self, case)
+   !> Derivatives of the steady state by variables.
+   subroutine differentiate(self, case, variables)
       class(shared_steady_t), intent(inout) :: self
       type(case_t), intent(in) :: case
+      type(contact_variable_t), intent(in) :: variables(:)
       real(dp) :: work_before
 
-      if (self%is_differentiated) self%kept_work = self%kept_work + self%derivative_work
-      if (self%is_differentiated) return
+      if (self%is_differentiated .and. self%gradient%serves(variables)) then
+         self%kept_work = self%kept_work + self%derivative_work
+         return
+      end if
       work_before = self%multigrid%work()
-      self%by_oil = tangent_change_t()
       call self%response%find_tangent(self%multigrid%levels)
-      associate (levels => self%multigrid%levels, &
-         oil => self%multigrid%levels(size(self%multigrid%levels))%problem%rheology, &
-                 tolerance => min(tangent_tolerance, case%tolerance))
-         if (oil%depends_on_alpha()) &
-            call differentiate_steady(self%response%tangent, levels, by_alpha, tolerance, self%by_oil(by_alpha))
-         if (.not. oil%is_newtonian()) &
-            call differentiate_steady(self%response%tangent, levels, by_stress, tolerance, self%by_oil(by_stress))
-      end associate
+      call self%gradient%find(self%response%tangent, self%multigrid%levels, self%effects%starvation%flooded, &
+                              variables, min(tangent_tolerance, case%tolerance))
       self%is_differentiated = .true.
       self%derivative_work = self%multigrid%work() - work_before
    end subroutine differentiate

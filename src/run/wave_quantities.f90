@@ -1,14 +1,12 @@
 !> Quantities of linear responses, see `ehlwave_quantities`.
 module ehlwave_wave_quantities
-   use ehlwave_case_definition, only: case_t
-   use ehlwave_case_result, only: oil_sensitivity_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_pair_result, only: pair_result_t
    use ehlwave_quantity, only: quantity_list_t
    implicit none (type, external)
    private
-   public :: add_pair, add_response, add_sensitivities
+   public :: add_pair, add_response
 
 contains
 
@@ -16,7 +14,7 @@ contains
    subroutine add_response(list, harmonic, number, exists)
       type(quantity_list_t), intent(inout) :: list
       type(harmonic_result_t), intent(in) :: harmonic
-      character(len=*), intent(in) :: number         !! that names end in: '' of the first surface, '_2'
+      character(len=*), intent(in) :: number         !! suffix of names: '' for the first surface, '_2'
       logical, intent(in) :: exists
       character(len=:), allocatable :: of
 
@@ -35,7 +33,7 @@ contains
          'transfer function pattern (in c) to P(0,0) at mesh size 0', harmonic%pressure_limit)
       call put('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error, &
                error_of='linear response'//of)
-      call put('harmonic_error_basis', 'what harmonic_error is from', trim(harmonic%error_basis))
+      call put('harmonic_error_basis', 'basis of harmonic_error', trim(harmonic%error_basis))
       call put('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', &
          harmonic%mean_rise)
       call put('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
@@ -76,7 +74,7 @@ contains
             call put_complex('complementary', 'wave of the film that moves with the oil, over Ai', &
                row%fit%complementary)
             call put_complex('psi', 'wave number of the complementary wave', row%fit%psi, unit='1/a')
-            call put('two_wave_misfit', 'what both waves leave of the film, rms over Ai, |X| <= 0.5', row%fit%misfit)
+            call put('two_wave_misfit', 'residual of both waves in the film, rms over Ai, |X| <= 0.5', row%fit%misfit)
             call put_complex('attenuated_formula', 'attenuated wave over Ai in closed form', row%attenuated)
             call put_complex('psi_formula', 'psi in closed form', row%psi, unit='1/a')
          end associate
@@ -84,7 +82,7 @@ contains
 
    end subroutine add_response
 
-   !> Quantities of two rough surfaces besides those of the first.
+   !> Quantities of two rough surfaces besides the first.
    subroutine add_pair(list, is_pair, pair)
       type(quantity_list_t), intent(inout) :: list
       logical, intent(in) :: is_pair
@@ -106,26 +104,5 @@ contains
       call list%add_truth('surfaces_touch_both', '1 when both waves together would touch, second order; -1: not '// &
          'known', pair%surfaces_touch, exists=is_pair)
    end subroutine add_pair
-
-   !> Derivatives by the oil, where they were asked for.
-   subroutine add_sensitivities(list, case, by_oil)
-      type(quantity_list_t), intent(inout) :: list
-      type(case_t), intent(in) :: case
-      type(oil_sensitivity_t), intent(in) :: by_oil(:)
-      character(len=*), parameter :: by(2) = [character(len=6) :: 'alpha', 'stress'], &
-                                     of(2) = [character(len=31) :: 'alpha', 'the stress of the flow law']
-      integer :: x
-
-      do x = 1, size(by_oil)
-         call list%add('film_sensitivity_'//trim(by(x)), 'd ln H(0,0) of the smooth contact/d ln '//trim(of(x)), &
-            by_oil(x)%film, exists=case%sensitivities)
-         call list%add('response_sensitivity_'//trim(by(x)), 'd ln harmonic_ratio/d ln '//trim(of(x)), &
-            by_oil(x)%response, exists=case%sensitivities)
-         call list%add('response_real_by_'//trim(by(x)), 'd harmonic_real/d ln '//trim(of(x)), &
-            by_oil(x)%response_real, exists=case%sensitivities)
-         call list%add('response_imaginary_by_'//trim(by(x)), 'd harmonic_imaginary/d ln '//trim(of(x)), &
-                       by_oil(x)%response_imaginary, exists=case%sensitivities)
-      end do
-   end subroutine add_sensitivities
 
 end module ehlwave_wave_quantities

@@ -19,6 +19,7 @@ module ehlwave_starvation
       real(dp), allocatable :: film(:)       !! H(0,0) of each level, coarsest first; NaN: none
       real(dp), allocatable :: oil(:)        !! rho H there
       real(dp) :: work = 0                   !! operations
+      type(state_t) :: state                 !! state of the finest level
    end type flooded_t
 
    real(dp), parameter :: least_ratio = 4    !! oil where a path begins, at r = 1 or above, over that where it ends
@@ -48,6 +49,7 @@ contains
       flooded%film = multigrid%levels%central_film
       allocate (flooded%oil(n))
       flooded%work = multigrid%work()
+      flooded%state = multigrid%levels(n)%state
       loose = limits
       loose%tolerance = max(limits%tolerance, coarse_tolerance)
       do l = n, 1, -1

@@ -6,7 +6,7 @@ module ehlwave_layout
    private
    public :: new_layout
 
-   integer, parameter :: name_length = 64
+   integer, parameter :: name_length = 96
 
    !> Names and kinds of the values of a record.
    type, public :: layout_t

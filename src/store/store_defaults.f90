@@ -82,9 +82,9 @@ contains
       read (text, *, iostat=io) generation
       if (io /= 0) generation = not_said
       if (text /= defaults_text(generation) .and. text /= '1'//new_line('a')) then
-         call raise(error, path//' is damaged: remove it, and the records of the store tell what it said')
+         call raise(error, path//' is damaged: remove it; the records of the store replace it')
       else if (generation > newest_defaults) then
-         call raise(error, path//' is of a later version of the program ('//to_text(generation)//', this one knows '// &
+         call raise(error, path//' is of a later version of the program ('//to_text(generation)//', this one reads '// &
                     to_text(newest_defaults)//'): use that, or name another results file')
       end if
    end subroutine read_file

@@ -115,7 +115,7 @@ contains
       if (file_kind(folder//'/'//cases_name) == kind_none .or. allocated(error)) return
       if (has_logs(folder)) return
       call raise(error, folder//'/'//records_name//' has lost the records of all runs ('//cases_name// &
-         ' lists what was to run): put them back, or begin anew with --overwrite')
+         ' lists the cases to run): put them back, or begin anew with --overwrite')
    end subroutine refuse_lost_records
 
    !> Refuse to use a store of which a part is a link: its target may belong to somebody else.
@@ -127,14 +127,14 @@ contains
 
       if (allocated(error)) return
       if (file_kind(folder) == kind_link) then
-         call raise(error, folder//' is a link: name the results file that stands beside the folder that it leads to')
+         call raise(error, folder//' is a link: name the results file beside its target folder')
          return
       end if
       parts = [folders, files]
       do i = 1, size(parts)
          if (file_kind(folder//'/'//trim(parts(i))) /= kind_link) cycle
-         call raise(error, folder//'/'//trim(parts(i))//' is a link, which no part of a store may be: put what it '// &
-            'leads to in its place, or name another results file')
+         call raise(error, folder//'/'//trim(parts(i))//' is a link, which no part of a store may be: put its '// &
+            'target in its place, or name another results file')
          return
       end do
    end subroutine refuse_links

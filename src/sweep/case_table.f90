@@ -82,7 +82,7 @@ contains
       sweep%notice = sweep%notice//found
       if (is_old .and. any(sweep%cases%edges == edges_of_old_stores) .and. .not. says(base, table, sweep, 'edges')) &
          sweep%notice = sweep%notice//"NOTICE: the store of "//sweep%output//" was begun when edges were '"// &
-         edges_of_old_stores//"' by default: its cases go on so; &grid edges in the sweep file says otherwise"// &
+         edges_of_old_stores//"' by default: its cases keep this; &grid edges in the sweep file overrides it"// &
          new_line('a')
       if (size(sweep%cases) == 0) call raise(error, path//': no cases are left to run'// &
          merge(' (all are unresolved)', '                     ', sweep%skipped > 0))

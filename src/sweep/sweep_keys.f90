@@ -31,8 +31,8 @@ contains
       type(key_list_t), intent(inout) :: list
 
       call list%begin()
-      call list%enter(sweep_group, 'Of sweep files only: lists of any of the keys above, in place of what its '// &
-         'group gives, and the keys below. The other groups hold what all cases share.')
+      call list%enter(sweep_group, 'Sweep files only: lists of any of the keys above, in place of the value in '// &
+         'its group, and the keys below. The other groups hold the common values of all cases.')
       call list%see(settings%case_file, key_t('case_file', 'CSV file of cases in place of lists; its columns are '// &
          'named as the keys above, or f_v', maximum=real(path_length, dp)))
       call list%see(settings%output, key_t('output', 'results file; its name ends in .h5', &

@@ -219,7 +219,7 @@ contains
          ' cases were reported as done but are '// &
          'not in the store '//self%writer%folder//': '// &
          trim(merge('was it moved or removed', 'is the disk broken     ', &
-                    file_kind(self%writer%folder) == kind_none))//'? The same command computes again what is not there')
+                    file_kind(self%writer%folder) == kind_none))//'? The same command computes missing cases again')
 
       call self%progress%tick(self%queue%seconds_left(), is_last=.true.)
       call print_sweep_result(output_unit, self%progress, self%sweep%output)

@@ -43,7 +43,7 @@ contains
       end if
       if (other_build > 0 .and. retry /= 'version') call say(output_unit, 'NOTICE: '//to_text(other_build)// &
          ' finished cases were computed by ehlwave '//contents%logs(other)%build()//', this is '//this_build// &
-         '; they are kept (each row of the results tells its version; --retry version computes them again)')
+         '; they are kept (each row of the results has its version; --retry version computes them again)')
    end subroutine print_notices
 
    !> Lines of the effective input, beyond what a sweep varies, that differ from an earlier run.

@@ -40,7 +40,7 @@ contains
          end associate
       end do
       call say(unit, to_text(size(sweep%cases))//' cases, '//to_text(count(sweep%plans%resolution%is_resolved))// &
-         ' resolved, '//to_text(sweep%skipped)//' unresolved ones left out')
+         ' resolved, '//to_text(sweep%skipped)//' unresolved cases left out')
       call print_expectation(unit, sweep%plans)
    end subroutine print_sweep_plan
 
@@ -63,7 +63,7 @@ contains
          'model, usually right within a factor '//to_text(nint(maxval(plans%thinning%cost_factor)))// &
          '), errors up to '//to_text(errors(worst), 2)//' (case '// &
          to_text(worst)//'), '
-      call say(unit, text//to_text(maxval(memory_mib), 2)//' MiB a rank, and what MPI takes')
+      call say(unit, text//to_text(maxval(memory_mib), 2)//' MiB a rank, plus memory of MPI')
       if (any(memory_mib > memory_limit_mib())) call say(unit, '             TOO LITTLE MEMORY for '// &
          to_text(count(memory_mib > memory_limit_mib()))//' cases: a rank here can have '// &
          to_text(nint(memory_limit_mib()))//' MiB. They will be over_budget')

@@ -114,7 +114,7 @@ def microgeometry():
     claims += [
         ("amplitudes but no phase it is {} to {} %", [min(amplitudes), max(amplitudes)]),
         ("The waves of the sputtered pattern raise its mean film by {} and {} Rq", rises[0]),
-        ("by the rises of the table, of second order, it is {} and {} Rq, by those of the atlas {} and {} Rq", rises[1] + rises[2]),
+        ("by the rises of the table, of second order, it is {} and {} Rq, by the rises of the atlas {} and {} Rq", rises[1] + rises[2]),
     ]
     return claims + lambda_ratios()
 
@@ -221,7 +221,7 @@ def two_waves():
         for text, column in (("computed waves", "error, computed waves"), ("law alone", "error, law")):
             claims.append((f"| {slip}, {text} | {{}} | {{}} | {{}} | {{}} |", percents(cells("two_waves/passing.csv", column, S=slip))))
     seconds = sum(cell("full/stages.csv", "seconds", stage=name) for name in ("two_waves", "sliding"))
-    return [*claims, ("computes what this needs ({} s on two cores)", [seconds])]
+    return [*claims, ("computes the needed cases ({} s on two cores)", [seconds])]
 
 
 def rolling():
@@ -424,7 +424,8 @@ MANUAL = "postprocess/manual/explanation"
 CLAIMS = {"README.md": top_level, "postprocess/manual/case.md": one_contact, "postprocess/README.md": postprocess, "postprocess/record/README.md": record,
           f"{MANUAL}/accuracy.md": lambda: [*speeds(), *errors_and_costs()], f"{MANUAL}/atlas.md": atlas,
           f"{MANUAL}/roughness.md": roughness, f"{MANUAL}/paper.md": lambda: [*study(), *validation(), *better_formula(), *rolling()],
-          f"{MANUAL}/slip.md": two_waves, f"{MANUAL}/solvers.md": lambda: [*heavy_loads(), *peers()]}
+          f"{MANUAL}/slip.md": two_waves, f"{MANUAL}/fitted_scheme.md": heavy_loads,
+          f"{MANUAL}/other_programs.md": peers}
 
 
 def words(path):

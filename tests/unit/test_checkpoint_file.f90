@@ -107,7 +107,7 @@ contains
       case%data = contact_data_t(radius_x_m=0.02_dp, radius_y_m=0.02_dp, reduced_modulus_pa=2.26e11_dp, load_n=100.0_dp, &
                                  mean_speed_m_per_s=2.0_dp, viscosity_pa_s=0.08_dp, pressure_viscosity_per_pa=2e-8_dp)
       case%oil%temperature_k = 313
-      case%heat = heat_data_t(oil_conductivity_w_per_m_k=0.14_dp, oil_heat_capacity_j_per_kg_k=2000.0_dp, &
+      case%effects%heat%data = heat_data_t(oil_conductivity_w_per_m_k=0.14_dp, oil_heat_capacity_j_per_kg_k=2000.0_dp, &
                               oil_density_kg_per_m3=870.0_dp, oil_expansion_per_k=7e-4_dp, &
                               viscosity_temperature_per_k=0.045_dp, wave_temperatures='carried')
       case%orientation = 'transverse'

@@ -353,7 +353,7 @@ class Heat(TestCase):
             "&lubricant temperature_k is missing": groups(row, 256, lubricant={"temperature_k": 0.0}),
             "'oil_density_kg_per_m3' in &heat: 0.0 is out of range: write a value in kg/m3, above 0": groups(
                 row, 256, heat={"oil_density_kg_per_m3": 0.0}),
-            "knows the temperature by its volume": free_volume(row, heat={"oil_expansion_per_k": 0.0}),
+            "takes the temperature from its volume": free_volume(row, heat={"oil_expansion_per_k": 0.0}),
             "response = 'periodic' does not take &heat": groups(row, 256, waviness={
                 "orientation": "transverse", "wavelength_over_a": 1.0, "response": "periodic"}),
             "is for waves that move in time": groups(row, 256, heat={"wave_temperatures": "carried"}, waviness={

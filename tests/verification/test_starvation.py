@@ -322,7 +322,6 @@ class Starvation(TestCase):
         for groups, words in (
             ({"solver": {"method": "fas"}}, ("oil_over_flooded", "newton")),
             ({"solver": {"method": "petsc"}}, ("oil_over_flooded", "newton")),
-            ({"output": {"sensitivities": True}}, ("sensitivities",)),
             ({"waviness": waves("transverse", 1, "periodic")}, ("periodic",)),
             ({"waviness": waves("transverse", 1, "transient"), "solver": {"time_step_over_cell": 2}}, ("time_step_over_cell",)),
             ({"waviness": wavy, "conditions": {"slip_parameter": 1.5}}, ("pure rolling",)),

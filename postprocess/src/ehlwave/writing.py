@@ -60,7 +60,7 @@ class Writer:
         place = Path(path)
         for part in (place, *place.parents):
             if os.path.lexists(part) and not part.is_dir():
-                raise OutputError(f"{part}: is not a folder: name another one as output")
+                raise OutputError(f"{part}: is not a folder: name another folder as output")
         place.mkdir(parents=True, exist_ok=True)
         return place
 
@@ -92,7 +92,7 @@ class Writer:
     def check(self, place: Path) -> None:
         """Raise OutputError if a file of this name must not be written."""
         if place.name in ("", "..", LIST_NAME):
-            raise OutputError(f"{place}: is no name for a file: name another one as output")
+            raise OutputError(f"{place}: is no name for a file: name another file as output")
         try:
             there = place.lstat()
         except (FileNotFoundError, NotADirectoryError):
@@ -108,7 +108,7 @@ class Writer:
         if stat.S_ISLNK(there.st_mode):
             raise OutputError(f"{place}: is a link, which is not followed: name a file as output")
         if not stat.S_ISREG(there.st_mode):
-            raise OutputError(f"{place}: is not a file that can be replaced: name another one")
+            raise OutputError(f"{place}: is not a file that can be replaced: name another file")
         if identity in self._written:
             raise OutputError(
                 f"{place}: is {self._written[identity]}, just written: give outputs names of "

@@ -1,4 +1,4 @@
-!> A layer of oil that changes in a march: what waves are measured with, and from when on.
+!> A layer of oil that changes in a march: the layer of the measurement, and its start.
 module ehlwave_layer_change_plan
    use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t
@@ -16,8 +16,8 @@ module ehlwave_layer_change_plan
 
 contains
 
-   !> The layer with which a pattern is measured over that of the steady state: waves have the one after the change, a
-   !> measured surface both, and so have waves with the response to small ones besides.
+   !> Layers with which a pattern is measured, over the steady layer: waves have the final layer; a measured surface
+   !> has both, and so do waves with an additional linear response.
    elemental real(dp) function measured_share(case) result(share)
       type(case_t), intent(in) :: case
       type(starvation_keys_t) :: keys
@@ -32,14 +32,13 @@ contains
    end function measured_share
 
    !> When the end of a change has passed a place, and from when on it should no longer move the film. In between the
-   !> inlet empties, or fills: for about as long as the contact takes to pass what the gap holds between the contact and
-   !> the meniscus, with the thicker of both layers. Of 16
-   !> random changes (M = 40 to 250, L = 3 to 12, D = 1 to 0.25, r = 0.06 to 4.6) at most 1 per cent of Ad/Ai was left
-   !> two periods later.
+   !> inlet empties, or fills: for about as long as the contact takes to pass the content of the gap between the contact
+   !> and the meniscus, with the thicker of both layers. In 16 random changes (M = 40 to 250, L = 3 to 12, D = 1 to
+   !> 0.25, r = 0.06 to 4.6) at most 1 per cent of Ad/Ai was left two periods later.
    pure subroutine change_times(keys, conditions, distance, x_min, outlet, passed, rest)
       type(starvation_keys_t), intent(in) :: keys
       type(conditions_t), intent(in) :: conditions
-      real(dp), intent(in) :: distance         !! of the meniscus from the contact, with the thicker of both layers
+      real(dp), intent(in) :: distance  !! distance of the meniscus from the contact, with the thicker of both layers
       real(dp), intent(in) :: x_min, outlet    !! X of the inlet edge and of the place
       real(dp), intent(out) :: passed, rest    !! T
       type(gauss_rule_t) :: rule

@@ -1,4 +1,4 @@
-!> The oil that a case offers to its contact: what it may be asked with, and its profile across.
+!> The oil that a case offers to its contact: refusals, and its profile across.
 module ehlwave_oil_offer_plan
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: case_file_t, note_digest
@@ -22,7 +22,7 @@ module ehlwave_oil_offer_plan
 
 contains
 
-   !> Refuse what starved contacts are not solved with. `case` is flooded without an amount of oil.
+   !> Refuse options outside starved contacts. `case` is flooded without an amount of oil.
    subroutine check_inlet(case, error)
       type(case_t), intent(in) :: case
       type(error_t), allocatable, intent(inout) :: error
@@ -41,13 +41,10 @@ contains
                     'place of it')
       else if (.not. any(case%method == ['newton', 'auto  '])) then
          call raise(error, given//"starved contacts are solved by method = 'newton' alone, not by '"// &
-            trim(case%method)//"', whose sweeps know no partly filled nodes")
-      else if (case%sensitivities) then
-         call raise(error, given//'&output sensitivities are those of flooded contacts (the oil offered would '// &
-                    'change with the film): remove it')
+            trim(case%method)//"', whose sweeps lack partly filled nodes")
       else if (has_pattern .and. abs(case%slip_parameter - 1) > 0) then
          call raise(error, given//'waves and surfaces need pure rolling, slip_parameter = 1: where the gap is not '// &
-                    'full, under slip each layer moves with its own surface, which the model does not know')
+                    'full, under slip each layer moves with its own surface, which the model lacks')
       else if (has_pattern .and. case%response == 'periodic') then
          call raise(error, given//"response = 'periodic' starts in waves known to second order, which have no "// &
                     "contents of gaps that are not full: take 'transient', 'both' or 'harmonic'")
@@ -93,7 +90,7 @@ contains
       call check_profile(trim(keys%oil_profile), inlet, error)
    end subroutine read_oil
 
-   !> Oil offered at Y = 0 over what the flooded contact passes, by the film formula where a layer is given; before a
+   !> Oil offered at Y = 0 over the flow of the flooded contact, by the film formula where a layer is given; before a
    !> change of the layer.
    pure real(dp) function expected_oil(inlet, conditions, rheology)
       type(inlet_oil_t), intent(in) :: inlet

@@ -44,7 +44,7 @@ contains
       list%common = key_t(is_late=.true., applies=self%is_given(), &
                           when='starved contacts (oil_over_flooded or oil_layer_m)')
       call list%see(self%oil_profile, key_t('oil_profile', 'CSV of the layer across; columns y_over_b and '// &
-         'layer_over_given, the share of what oil_over_flooded or oil_layer_m say that is offered there; linear '// &
+         'layer_over_given, local share of oil_over_flooded or oil_layer_m; linear '// &
          'between its rows', maximum=real(path_length, dp), file='oil_profile', is_written=self%oil_profile /= ''))
       call list%see(self%oil_change_factor, key_t('oil_change_factor', 'layer in a march after a change over '// &
          'before; 1: no change, 0.001: a gap', above=0.0_dp, maximum=1000.0_dp))

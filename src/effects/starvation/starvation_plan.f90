@@ -21,16 +21,16 @@ module ehlwave_starvation_plan
    !> then 8 per cent off, with 0.44 40 per cent (M = 100, D = 1, r = 0.5). The film needs no such grid: with 0.7 to 1.2
    !> R is 2 per cent off, for the less oil there is the less the inlet decides.
    real(dp), parameter :: coarsest_meniscus = 0.25_dp
-   real(dp), parameter :: share_of_meniscus = 0.5_dp !! of the accuracy, for the meniscus
+   real(dp), parameter :: share_of_meniscus = 0.5_dp !! share of the accuracy for the meniscus
    real(dp), parameter :: meniscus_factor = 0.35_dp  !! see expected_meniscus_error
-   real(dp), parameter :: steady_cost = 2.7_dp       !! of a steady state with the flooded one on the way, of that
-                                                     !! alone; measured: 2 to 4
-   real(dp), parameter :: step_cost = 1.3_dp         !! of a time step without patches
+   real(dp), parameter :: steady_cost = 2.7_dp       !! cost of a steady state over the flooded state
+                                                     !! on the way; measured: 2 to 4
+   real(dp), parameter :: step_cost = 1.3_dp         !! cost of a time step without patches
 
    type, extends(effect_plan_t), public :: starvation_plan_t
       type(inlet_oil_t) :: oil           !! offered, where it is less than floods the contact
-      real(dp) :: before_change = 0      !! oil at Y = 0 before a change of the layer, over what is passed flooded
-      real(dp) :: distance = 0           !! of the meniscus from the contact, expected; 0: flooded
+      real(dp) :: before_change = 0  !! oil at Y = 0 before a change of the layer, over the flow of the flooded contact
+      real(dp) :: distance = 0           !! expected distance of the meniscus from the contact; 0: flooded
       real(dp) :: resolution = 0         !! hX over it, 0: flooded
    contains
       procedure, nopass :: check => check_inlet
@@ -66,7 +66,7 @@ contains
    !> flooded film. Measured on 144 contacts of the stability map, r = 0.3 to 1.2: right within a factor of 2.5.
    pure real(dp) function meniscus_distance(conditions, oil)
       type(conditions_t), intent(in) :: conditions
-      real(dp), intent(in) :: oil     !! r, offered over what the flooded contact passes
+      real(dp), intent(in) :: oil     !! r, offered oil over the flow of the flooded contact
       meniscus_distance = 2*expected_film(conditions)**(2/3.0_dp)*oil**1.6_dp
    end function meniscus_distance
 
@@ -123,8 +123,8 @@ contains
    end function expect_ratio_error
 
    !> Relative error of Ad/Ai of a contact with too little oil by the meniscus, theory eq. (C8), of first order:
-   !> c hX/(its distance from the contact). A response knows the meniscus to a cell. As the mesh is refined and nodes
-   !> pass by it, Ad/Ai goes up and down.
+   !> c hX/(its distance from the contact). A response resolves the meniscus to a cell. As the mesh is refined and
+   !> nodes pass by it, Ad/Ai goes up and down.
    pure real(dp) function expected_meniscus_error(hx_over_distance)
       real(dp), intent(in) :: hx_over_distance   !! 0 of flooded contacts
       expected_meniscus_error = meniscus_factor*hx_over_distance

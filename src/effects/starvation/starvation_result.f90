@@ -1,8 +1,10 @@
 !> A contact with too little oil, in the result of a case.
 module ehlwave_starvation_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_bare_result, only: bare_result_t
    use ehlwave_case_definition, only: case_t
    use ehlwave_effect_result, only: effect_result_t
+   use ehlwave_energy, only: energy_t
    use ehlwave_error_estimate, only: estimate_error
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_full_multigrid, only: full_multigrid_t
@@ -23,14 +25,14 @@ module ehlwave_starvation_result
    implicit none (type, external)
    private
 
-   !> The nearer the meniscus, the less coarse grids tell. Of 84 random contacts with too little oil four were off by
-   !> more than 1.16 times the estimate; three of them had R = 0.16 to 0.27 and were off by 1.2 to 1.6 times that.
-   !> One whose gap is full from the inlet edge on, where the oil meets a wider gap, was off by 2.2 times.
-   real(dp), parameter :: starved_share = 0.5_dp   !! of 1 - R
+   !> Coarse grids are less reliable near the meniscus. Of 84 random contacts with too little oil four exceeded 1.16
+   !> times the estimate; three of them, with R = 0.16 to 0.27, were off by 1.2 to 1.6 times. A contact whose gap is
+   !> full from the inlet edge on, where the oil meets a wider gap, was off by 2.2 times.
+   real(dp), parameter :: starved_share = 0.5_dp   !! share of 1 - R
    real(dp), parameter :: full_margin = 2
-   !> Least error of R over that of the film, which counts up to `largest_film_error`: grids can agree by chance. Of 215
-   !> random R 72 were off by more than grids say, by up to four times. With this share, the factors of the film, and
-   !> `full_margin` where the gap is full from the inlet edge on, one of 172 was off by more, by 1.05 times.
+   !> Least error of R over the film error, which counts up to `largest_film_error`: grids can agree by chance. Of 215
+   !> random R 72 exceeded the estimate from grids, by up to four times. With this share, the factors of the film, and
+   !> `full_margin` where the gap is full from the inlet edge on, one of 172 exceeded it, by 1.05 times.
    real(dp), parameter :: ratio_share = 0.1_dp, largest_film_error = 0.2_dp
 
    !> Values of flooded contacts are NaN.
@@ -42,8 +44,8 @@ module ehlwave_starvation_result
       real(dp) :: film_over_flooded_error = no_value   !! estimated relative discretisation error, from grids
       real(dp) :: short_edge = 0                     !! error of the film, relative, by an inlet edge that the full gap
                                                      !! reaches
-      real(dp) :: solve_over_flooded = no_value      !! counted work of the starved solve over that of the flooded one
-      type(oil_passage_t) :: passage                 !! of the smooth contact
+      real(dp) :: solve_over_flooded = no_value      !! counted work of the starved solve over the flooded solve
+      type(oil_passage_t) :: passage                 !! oil passage of the smooth contact
       real(dp), allocatable :: content(:, :)         !! theta of the last solution, if fields are kept
    contains
       procedure :: solve
@@ -52,7 +54,7 @@ module ehlwave_starvation_result
       procedure :: error_factor
       procedure :: edge_error
       procedure :: lacks_oil_outside
-      procedure :: widen_errors
+      procedure :: add_own_errors
       procedure :: add_errors
       procedure :: advice
       procedure, nopass :: set_march
@@ -64,13 +66,15 @@ module ehlwave_starvation_result
 
 contains
 
-   subroutine solve(self, plan, multigrid, rescue, limits, coarse_tolerance)
+   subroutine solve(self, case, plan, multigrid, rescue, limits, coarse_tolerance, energy)
       class(starvation_result_t), intent(inout) :: self
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(full_multigrid_t), intent(inout) :: multigrid
       type(rescue_t), intent(inout) :: rescue
       type(solve_limits_t), intent(in) :: limits
       real(dp), intent(in) :: coarse_tolerance
+      type(energy_t), intent(inout) :: energy
       associate (oil => plan%effects%starvation%oil)
          if (oil%is_short() .and. multigrid%levels(size(multigrid%levels))%report%status == status_converged) &
             call starve(rescue, multigrid, oil, limits, coarse_tolerance, self%flooded)
@@ -95,7 +99,7 @@ contains
          self%oil_over_flooded = level%given%supply(minloc(abs(grid%y), 1) - 1)/flooded%oil(n)
          self%solve_over_flooded = work/flooded%work - 1
          call follow_oil(level%problem, level%given, level%state, self%passage)
-         ! a longer domain has a thicker film, the flooded one at most
+         ! a longer domain has a thicker film, at most the flooded film
          if (self%lacks_oil_outside(grid)) self%short_edge = max(0.0_dp, flooded%film(n)/level%central_film - 1)
       end associate
    end subroutine take
@@ -108,8 +112,10 @@ contains
       if (lacks_oil_outside) lacks_oil_outside = self%passage%meniscus_x < grid%x(0) + 1.5_dp*grid%hx
    end function lacks_oil_outside
 
-   function warning(self, grid) result(text)
+   function warning(self, case, plan, grid) result(text)
       class(starvation_result_t), intent(in) :: self
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
       type(grid_t), intent(in) :: grid
       character(len=:), allocatable :: text
       text = ''
@@ -130,22 +136,22 @@ contains
       error = self%short_edge
    end function edge_error
 
-   !> Widen the error of R as that of the film is.
-   subroutine widen_errors(self, grid, film_error)
+   !> Widen the error of R like the film error.
+   subroutine add_own_errors(self, grid, result)
       class(starvation_result_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
-      real(dp), intent(in) :: film_error
+      class(bare_result_t), intent(inout) :: result
       real(dp) :: factor
 
       associate (error => self%film_over_flooded_error)
          if (.not. ieee_is_finite(error)) return
          factor = self%error_factor()
          if (self%lacks_oil_outside(grid)) factor = full_margin
-         error = max(factor*error, ratio_share*min(largest_film_error, film_error))
+         error = max(factor*error, ratio_share*min(largest_film_error, result%central_film_error))
       end associate
-   end subroutine widen_errors
+   end subroutine add_own_errors
 
-   !> The part of the film is the error of R, which grids tell, as that of the film.
+   !> For the film the part is the error of R, found from grids like the film error.
    subroutine add_errors(self, k, case, plan, film, ratio)
       class(starvation_result_t), intent(in) :: self
       integer, intent(in) :: k
@@ -187,10 +193,11 @@ contains
       end associate
    end subroutine set_march
 
-   subroutine take_fields(self, plan, level)
+   subroutine take_fields(self, plan, level, energy)
       class(starvation_result_t), intent(inout) :: self
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level
+      type(energy_t), intent(in) :: energy
       type(oil_passage_t) :: last
       if (plan%effects%starvation%oil%is_short()) call follow_oil(level%problem, level%given, level%state, last)
       if (allocated(last%content)) self%content = last%content
@@ -207,9 +214,10 @@ contains
          'oil that leaves behind the contact across Y, layers of both surfaces over c, smooth contact', 'y')
    end subroutine write_fields
 
-   subroutine add_quantities(self, list, plan)
+   subroutine add_quantities(self, list, case, plan)
       class(starvation_result_t), intent(in) :: self
       type(quantity_list_t), intent(inout) :: list
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       logical :: is_short
 
@@ -220,7 +228,7 @@ contains
                     self%film_over_flooded_error, exists=is_short, error_of='film over flooded R')
       call list%add('flooded_central_film', 'H(0,0) of the flooded contact with the same domain and edges', &
                     self%flooded_film, exists=is_short)
-      call list%add('oil_offered', 'r at Y = 0, oil offered over what the flooded contact passes', &
+      call list%add('oil_offered', 'r at Y = 0, oil offered over the flow of the flooded contact', &
                     self%oil_over_flooded, exists=is_short)
       call list%add('mass_balance_error', 'oil lost or gained over oil that enters', self%passage%balance_error, &
                     exists=is_short)
@@ -228,13 +236,14 @@ contains
                     exists=is_short)
       call list%add('meniscus_x', 'X at Y = 0 from which on the gap is full', self%passage%meniscus_x, &
                     exists=is_short)
-      call list%add('starved_over_flooded_work', 'counted work of the starved solve over that of the flooded one', &
+      call list%add('starved_over_flooded_work', 'counted work of the starved solve over the flooded solve', &
                     self%solve_over_flooded, exists=is_short)
    end subroutine add_quantities
 
-   subroutine print(self, unit)
+   subroutine print(self, unit, plan)
       class(starvation_result_t), intent(in) :: self
       integer, intent(in) :: unit
+      type(case_plan_t), intent(in) :: plan
       character(len=:), allocatable :: meniscus
 
       if (.not. ieee_is_finite(self%film_over_flooded)) return

@@ -27,7 +27,13 @@ _LOG = logging.getLogger("ehlwave.app")
 EYRING = "Ree-Eyring"
 PAIRS = ("teeth", "profile_shift")
 COUNTS = ("balls", "rollers", "teeth_1", "teeth_2")
-ANSWERS = {"by laws, in seconds": "laws", "by laws, else computed, in minutes": None}
+BY_LAWS = "by laws, in seconds"
+ANSWERS = [BY_LAWS, "by laws, else computed, in minutes"]
+EXAMPLES = {
+    "Bearing": "a 6208 deep groove ball bearing at 3 kN and 3000 rpm",
+    "Gear": "a spur gear pair of module 3 mm at 150 N m and 1500 rpm",
+    "Cam": "a cam with a roller follower at 1000 rpm",
+}
 HEAT = {"isothermal": False, "with heat (oil by data sheet)": True}
 
 
@@ -38,7 +44,8 @@ class ElementTab:
         """Make the fields."""
         self._pools = pools
         self._html = ""
-        self.element = select("Element", list(TABS[name]))
+        names = {shown.split_words(one).capitalize(): one for one in TABS[name]}
+        self.element = select("Element", names)
         self.fields = {
             kind: [[NumberField(one) for one in part] for part in asked]
             for kind, asked in TABS[name].items()
@@ -64,7 +71,11 @@ class ElementTab:
         head, last = in_rows([self.element]), in_rows([self.heat, self.by])
         parts = (head, self.drawing, *self.views.values(), last)
         self.inputs = column(section(name, *parts), self.oil.view, surface, self.button)
-        self.first = pn.pane.HTML("", stylesheets=OUTPUT, sizing_mode="stretch_width")
+        hint = (
+            f"<p class='hint'>The fields hold a worked example: {EXAMPLES[name]}, with oil ISO VG "
+            "68 at 60 C. Press Compute: the answer has films, pressures, friction and errors.</p>"
+        )
+        self.first = pn.pane.HTML(hint, stylesheets=OUTPUT, sizing_mode="stretch_width")
         self.report = pn.pane.HTML("", stylesheets=[*OUTPUT, STYLE], sizing_mode="stretch_width")
         self.saving = pn.widgets.FileDownload(
             label="Save report", filename="report.html", callback=self._file, width=150
@@ -95,8 +106,8 @@ class ElementTab:
                 "angle_deg": angle,
                 "lift_m": np.where(np.abs(angle - 180) < half, wave, 0.0),
             }
-        if self.by.value is not None:
-            conditions["by"] = self.by.value
+        if self.by.value == BY_LAWS:
+            conditions["by"] = "laws"
         found = self.oil.given()
         given = {
             "dimensions": dimensions,

@@ -19,11 +19,8 @@ from ehlwave.errors import ResultsError, SurfaceError, printable
 
 _LOG = logging.getLogger("ehlwave.app")
 TITLE = "ehlwave"
-AT_BOTTOM: dict[str, Any] = {
-    "sizing_mode": "stretch_width",
-    "styles": {"position": "sticky", "bottom": "0", "z-index": "10", "background": "white"},
-}
-"""Style of the part that stays in sight while the fields above it are scrolled."""
+SCROLLED: dict[str, Any] = {"max-height": "max(360px, calc(100vh - 190px))", "overflow-y": "auto"}
+"""Style of the fields: they scroll above the button, which covers nothing."""
 
 
 class Page:
@@ -56,7 +53,10 @@ class Page:
             _download("Save JSON", "ehlwave.json", self._json),
             _download("Save script", "ehlwave_repeat.py", self._script),
         ]
-        self.saving = pn.Row(*self.downloads, visible=False, margin=(6, 0))
+        self._kept: Answer | None = None
+        self.keep = pn.widgets.Button(name="Keep to compare", width=150)
+        self.keep.on_click(self._keep)
+        self.saving = pn.Row(*self.downloads, self.keep, visible=False, margin=(6, 0))
         for widget in (*self.contact.widgets, *self.surface.widgets):
             widget.param.watch(self._mark_old, "value")
 
@@ -64,7 +64,10 @@ class Page:
         """Return the page, ready to be served."""
         page = pn.Template(TEMPLATE)
         page.add_variable("app_title", TITLE)
-        own = column(self.contact.view, self.surface.view, pn.Row(self.button, **AT_BOTTOM))
+        fields = pn.Column(
+            self.contact.view, self.surface.view, sizing_mode="stretch_width", styles=SCROLLED
+        )
+        own = column(fields, self.button)
         early = (self.first, self.warnings, self.saving, self.figures)
         late = (self.doubts, self.numbers, self.details)
         inputs, answers = with_elements(own, column(*early, *late), self._pools)
@@ -104,14 +107,25 @@ class Page:
     def _show(self, answer: Answer) -> None:
         self._answer = answer
         found = answer.found
-        self.first.object = f"<p class='answer' role='status'>{shown.headline(answer)}</p>"
-        self.warnings.object = shown.warnings_of(answer)
+        look = f"answer {shown.decided(answer)}"
+        self.first.object = f"<p class='{look}' role='status'>{shown.headline(answer)}</p>"
+        self.warnings.object = shown.advice(answer) + shown.warnings_of(answer)
         self.figures.object = shown.pictures(answer)
         self.doubts.object = "" if found is None else shown.doubts(found)
-        self.numbers.object = shown.numbers(answer)
+        kept = self._kept
+        self.numbers.object = (
+            shown.numbers(answer) if kept is None else shown.compared(kept, answer)
+        )
         self.report.object = "" if found is None else shown.report(found)
         self.details.visible = found is not None
         self.saving.visible = True
+
+    def _keep(self, _: Any) -> None:  # noqa: ANN401
+        """Keep the answer, or forget the kept one: the next answers stand beside it."""
+        self._kept = self._answer if self._kept is None else None
+        self.keep.name = "Keep to compare" if self._kept is None else "End comparison"
+        if self._answer is not None:
+            self._show(self._answer)
 
     def _fail(self, message: str) -> None:
         self._answer = None

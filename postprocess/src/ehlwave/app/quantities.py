@@ -130,3 +130,10 @@ CUTOFFS = (
     Quantity("cutoff", "Filter: longest wave", "", {"um": -6, "mm": -3}),
     Quantity("short_cutoff", "Filter: shortest wave", "", {"um": -6, "mm": -3}),
 )
+
+
+def every_quantity() -> tuple[Quantity, ...]:
+    """Return all numbers that the tab of a contact asks for."""
+    single = (SURFACE_SPEED, LINE_LENGTH, LINE_LOAD, VISCOSITY, STEP)
+    flows = tuple(one for flow in FLOWS.values() for one in flow)
+    return (*body(""), *single, *MOES, *LINE, *REDUCED, *OIL, *flows, *GRADE, *CUTOFFS)

@@ -44,8 +44,10 @@ asked.</footer>
 OUTPUT = [
     """
 :host { font-size: 15px; line-height: 1.45; }
-p.answer { font-size: 1.2em; background: #e8f2ea; border-left: 5px solid #2f7d4f;
+p.answer { font-size: 1.2em; background: #e6eff5; border-left: 5px solid #14405c;
   padding: 10px 14px; margin: 4px 0; }
+p.answer.decided { background: #e8f2ea; border-left-color: #2f7d4f; }
+p.answer.open { background: #fff4d6; border-left-color: #c98a00; }
 p.hint { color: #51626c; margin: 4px 0; }
 p.note, p.old { background: #fff4d6; border-left: 5px solid #c98a00;
   padding: 6px 14px; margin: 4px 0; }

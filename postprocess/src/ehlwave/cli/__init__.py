@@ -49,7 +49,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 return _fail(text, BAD_INPUT)
             raise
         except MemoryError:
-            return _fail("not enough memory for what the files hold", BAD_INPUT)
+            return _fail("not enough memory for the content of the files", BAD_INPUT)
         except BrokenPipeError:
             # The reader of our output has gone; keep Python from saying so again at exit.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

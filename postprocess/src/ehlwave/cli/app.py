@@ -11,9 +11,9 @@ ADDRESS, PORT = "127.0.0.1", 5006
 
 DESCRIPTION = f"""\
 Serve a page that answers in a browser: contact, oil and a measured trace in; film, lambda ratio,
-deformed profile, errors and what is not judged out. It saves JSON and a script that repeats it.
+deformed profile, errors and parts not judged out. It saves JSON and a script that repeats it.
 
-Only this computer can open the page unless --address says otherwise. There is no password: whoever
+Only this computer can open the page unless --address is given. There is no password: whoever
 reaches the address can compute. Nothing is kept, and no other host is asked for anything.
 
 One server for an office, opened in browsers as http://ehl.example.com:{PORT}:

@@ -130,7 +130,9 @@ def run_surface(options: argparse.Namespace) -> None:
         surface = cut_period(remove_form(surface, form), options.period * 1e-6, start_m)
         form = "none"
     elif start is not None:
-        raise SurfaceError(f"--period-start {start:g} without --period: say how long the wave is")
+        raise SurfaceError(
+            f"--period-start {start:g} without --period: give the length of the wave"
+        )
     prepared = simulation_surface(surface, form, options.repeat)
     write_simulation_surface(prepared, options.output, options.writer)
     nx, ny = prepared.height.shape

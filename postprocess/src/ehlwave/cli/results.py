@@ -12,7 +12,7 @@ from ehlwave.results.case_file import contact_figure, read_contact
 from ehlwave.results.export import export
 from ehlwave.results.points import VARIABLES, remarks, resolved_only, select_points
 from ehlwave.results.read import read_results
-from ehlwave.results.refit import RefitSettings, refit_groups
+from ehlwave.results.refit import RefitSettings, refit_groups, refit_warnings
 from ehlwave.surface.harmonics import write_harmonic_table
 
 if TYPE_CHECKING:
@@ -83,6 +83,8 @@ def run_refit(options: argparse.Namespace) -> None:
     _print_remarks(points)
     settings = RefitSettings(replicates=options.replicates, seed=options.seed)
     rows = refit_groups(points, settings)
+    for warning in refit_warnings(rows):
+        _note(warning)
     document = tables.refit_json(rows, settings, points, options.ratio)
     tables.write_refit_csv(options.output / "refit.csv", rows, options.writer)
     options.writer.text(options.output / "refit.json", document + "\n")
@@ -109,8 +111,18 @@ def run_contact(options: argparse.Namespace) -> None:
 
 def run_plot(options: argparse.Namespace) -> None:
     """Draw a case in um, GPa and us."""
-    figure = load("ehlwave.results.case_figures").case_figure(read_contact(options.case))
-    _write_picture(options, figure, f"{options.case.stem}-case")
+    draw = load("ehlwave.results.case_figures").case_figure
+    _write_picture(
+        options, draw(read_contact(options.case), options.time), f"{options.case.stem}-case"
+    )
+
+
+def run_animate(options: argparse.Namespace) -> None:
+    """Draw film and pressure of a march in motion."""
+    draw = load("ehlwave.results.animation").write_animation
+    target = options.output / f"{options.case.stem}.{options.format}"
+    case = read_contact(options.case)
+    print(draw(case, target, options.writer, options.frames_per_second))
 
 
 def _write_picture(options: argparse.Namespace, figure: "Figure", name: str) -> None:

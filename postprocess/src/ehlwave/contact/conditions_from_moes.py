@@ -91,7 +91,7 @@ def _with_loss(found: Conditions) -> Conditions:
     error, loss = found.central_film_error, found.film_loss
     if error is not None and math.isfinite(loss):
         return replace(found, central_film_error=error + loss)
-    source = f"{found.film_source}, which does not know how much the oil thins"
+    source = f"{found.film_source}, which leaves out how much the oil thins"
     return replace(found, central_film_error=None, film_source=source)
 
 

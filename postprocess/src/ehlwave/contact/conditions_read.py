@@ -89,7 +89,7 @@ def given_of(every: Mapping[str, Any], place: str) -> Given:
     if viscosity in OWN_COEFFICIENT and ALPHA not in keys:
         raise SurfaceError(
             f"{place}: viscosity_law = '{viscosity}' has no {ALPHA}: give it besides, as "
-            f"{ALPHA}=VALUE: the alpha that ehlwave-case --plan says"
+            f"{ALPHA}=VALUE: the alpha of ehlwave-case --plan"
         )
     heat = None
     if any(key in every for key in HEAT_DATA):

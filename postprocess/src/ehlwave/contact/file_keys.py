@@ -40,9 +40,9 @@ OTHER_INLET_KEYS = {
 """Keys of ``&inlet`` that no law answers for, and why."""
 
 NOT_USED: dict[str, tuple[float | str, str]] = {
-    "edges": ("flooded", "films are those of flooded edges"),
+    "edges": ("flooded", "films have flooded edges"),
     "load_balance": ("force_balance", "responses are those under a load that does not change"),
-    "load_factor": (1, "films and responses are those of the load before its step"),
+    "load_factor": (1, "films and responses hold for the load before its step"),
     "wave_temperatures": ("frozen", "waves are those without heat, over the film with heat"),
 }
 """Keys that predictions report as unused: the value without a message, and the assumption instead.
@@ -94,7 +94,7 @@ def _check_groups(groups: Mapping[str, Any], place: str) -> None:
         raise SurfaceError(f"{place}: {EMPTY_HEAT}")
     for key in groups.get("inlet", {}):
         if key != OIL_OVER_FLOODED:
-            reason = OTHER_INLET_KEYS.get(str(key), "no law of starved contacts knows this key")
+            reason = OTHER_INLET_KEYS.get(str(key), "no law of starved contacts has this key")
             raise SurfaceError(
                 f"{place}: &inlet {printable(str(key))}: {reason}; or compute the contact with "
                 "ehlwave-case"

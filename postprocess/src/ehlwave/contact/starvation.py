@@ -48,7 +48,7 @@ OIL_OVER_FLOODED = "oil_over_flooded"
 
 UNDER_SLIP = (
     f"{OIL_OVER_FLOODED} needs pure rolling (slip_parameter = 1, slide_to_roll_ratio = 0): under "
-    "slip the two layers of oil move apart, which the law of starved contacts does not know"
+    "slip the two layers of oil move apart, outside the law of starved contacts"
 )
 WAVES_TEXT = (
     f"wavelengths of {TRANSVERSE[0]:g} to {TRANSVERSE[1]:g} a below {TRANSVERSE_BELOW_DEG:g} "

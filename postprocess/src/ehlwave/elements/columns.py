@@ -41,14 +41,16 @@ COLUMNS = {
     "largest_shear_pa": Column("Pa", "largest shear stress below both surfaces"),
     "dang_van": Column("", "largest factor of Dang Van of both bodies; 1 is the fatigue limit"),
     "dang_van_error": Column("", "absolute error of the factor of Dang Van"),
-    "life_ratio": Column("", "life over that of smooth surfaces, the smaller of both bodies"),
+    "life_ratio": Column("", "life over the life of smooth surfaces, the smaller of both bodies"),
     "rolling_resistance_n": Column("N", "force that rolling takes at each surface"),
     "rolling_power_w": Column("W", "power of rolling, of both surfaces"),
     "sliding_power_w": Column("W", "power of sliding"),
     "iso_film_m": Column("m", "film of ISO/TR 15144-1 (first edition, from memory)"),
     "iso_specific_film": Column("", "film of ISO/TR 15144-1 over the mean Ra of both surfaces"),
     "film_starved_low_m": Column("m", "central film at r = 0.3, the oil offered over flooded"),
-    "oil_over_flooded": Column("", "r, oil offered by the layer over that of the flooded contact"),
+    "oil_over_flooded": Column(
+        "", "r, oil offered by the layer over the flow of the flooded contact"
+    ),
     "film_starved_m": Column("m", "central film of the starved contact by the oil layer"),
     "film_starved_error": Column("", "relative error of the starved film"),
     "spin_to_roll_ratio": Column("", "spin over rolling speed of the ball"),

@@ -10,7 +10,7 @@ FORMULAS = {
     "load_n": "bearings: equilibrium of ISO 16281; gears: T/r_b1 times the share of ISO/TR "
     "15144-1; cams: spring, rate times lift, mass times acceleration",
     "hertz_pressure_pa": "Hertz: 3 W/(2 pi a b) of ellipses, 2 w/(pi a) of lines",
-    "central_film_m": "ehlwave.Contact.film(); its source stands in the column source",
+    "central_film_m": "ehlwave.Contact.film(); its source is in the column source",
     "central_film_error": "95 % of computed contacts; errors of viscosity, alpha and inner "
     "dimensions included",
     "friction": "ehlwave.Contact.film().friction; 0 in pure rolling",
@@ -18,7 +18,7 @@ FORMULAS = {
     "lambda_ratio": "ehlwave.Contact.deform: mean film over Rq of the deformed roughness",
     "lambda_ratio_before": "mean film over Rq as made",
     "dang_van": "ehlwave.Contact.stress: the larger factor of both bodies",
-    "life_ratio": "Ioannides and Harris (1985), over that of smooth surfaces",
+    "life_ratio": "Ioannides and Harris (1985), over smooth surfaces",
     "rolling_resistance_n": "Biboulet and Houpert (2010), part 1 formula 42, part 2 formula 32, "
     "times the factor of the warm inlet with heat",
     "rolling_power_w": "2 F u",

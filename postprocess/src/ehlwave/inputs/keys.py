@@ -65,7 +65,7 @@ class CaseKeys(TypedDict, total=False):
     shear_limit_over_pressure: SupportsFloat
     """largest shear stress over pressure, which the stress nears but does not pass; 0: no limit"""
     shear_limit_width: SupportsFloat
-    """width of the limit: at (1 - width) times the limit the shear rate is twice that of"""
+    """width of the limit: at (1 - width) times the limit the shear rate is twice the rate of"""
     mcewen_coefficient_per_pa: SupportsFloat
     """coefficient alpha0 of (1 + alpha0 p/q)^q, 1/Pa"""
     mcewen_exponent: SupportsFloat
@@ -179,11 +179,11 @@ class CaseKeys(TypedDict, total=False):
     cells_y: SupportsIndex
     """cells along Y over the whole domain; as cells_x"""
     largest_cells: SupportsIndex
-    """limit of what is chosen"""
+    """limit of chosen cells"""
     domain: Literal["auto", "whole"]
     """computed domain; 'auto': half of it where the case is even in Y, 'whole': always all of it"""
     edges: Literal["flooded", "truncated"]
-    """pressure at the edges of the domain; 'flooded': that of the oil farther out"""
+    """pressure at the edges of the domain; 'flooded': from the oil farther out"""
     tolerance: SupportsFloat
     """tolerance of steady states: mass residual and load error"""
     step_tolerance: SupportsFloat
@@ -203,21 +203,21 @@ class CaseKeys(TypedDict, total=False):
     cycle: Literal["f", "v", "w"]
     """multigrid cycle"""
     deformation: Literal["auto", "fft", "mlmi"]
-    """how the deformation is computed; 'auto': by the faster one, 'fft'"""
+    """how the deformation is computed; 'auto': the faster method, 'fft'"""
     scheme: Literal["auto", "averaged", "fitted"]
     """differences of the Reynolds equation"""
     error_estimate: Literal["coarse_grid", "model"]
     """estimate of the error of Ad/Ai"""
     accuracy: SupportsFloat
-    """relative error wanted in Ad/Ai, of smooth contacts in H(0,0)"""
+    """requested relative error of Ad/Ai, in smooth contacts of H(0,0)"""
     threads: SupportsIndex
     """threads that share one case; no result depends on them"""
     load_balance: Literal["force_balance", "equation_of_motion"]
-    """what moves the mutual approach"""
+    """equation of the mutual approach"""
     natural_frequency: SupportsFloat
     """dimensionless natural frequency Omega"""
     load_factor: SupportsFloat
-    """load from T = 0 on over that of the steady state; a load step"""
+    """load from T = 0 on over the steady load; a load step"""
     end_time: SupportsFloat
     """T to which is marched; none: until the amplitude is measured"""
     fields: bool
@@ -225,9 +225,9 @@ class CaseKeys(TypedDict, total=False):
     fields_every: SupportsIndex
     """time steps from one kept set of fields to the next"""
     sensitivities: bool
-    """whether film and linear response are differentiated by alpha and by the stress of the flow"""
+    """whether results are differentiated by every input"""
     mean_rise: bool
-    """whether a linear response finds to second order what waves do to the mean film"""
+    """whether a linear response includes the change of the mean film by waves, to second order"""
 
 
 class StudyKeys(CaseKeys, total=False):

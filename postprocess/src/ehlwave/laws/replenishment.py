@@ -49,7 +49,7 @@ class Track:
         """Refuse contacts without film in metres or viscosity, or with another oil."""
         c = self.conditions
         if not c.is_starved:
-            raise SurfaceError("oil_over_flooded is missing: say how much oil there is at first")
+            raise SurfaceError("oil_over_flooded is missing: give the oil at first")
         check_starved(c)
         if "viscosity_pa_s" not in dict(c.given) or c.central_film_m is None:
             raise SurfaceError(
@@ -60,7 +60,7 @@ class Track:
             raise SurfaceError(f"{laws}: films over time are known with Roelands' oil alone")
         if not (np.isfinite(self.length_m) and self.length_m > 2 * c.semi_axis_a_m):
             raise SurfaceError(
-                f"track length = {self.length_m:g} m must be above that of the contact, "
+                f"track length = {self.length_m:g} m must exceed the contact's, "
                 f"{2 * c.semi_axis_a_m:.3g} m: give both tracks together"
             )
 

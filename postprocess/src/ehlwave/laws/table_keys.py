@@ -51,7 +51,7 @@ def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:
         if len(values) > 1:
             raise ResultsError(
                 f"the cases differ in {printable(key)} ({printable(', '.join(values[:4]))}), which "
-                "this version of ehlwave does not know: update it"
+                "this version of ehlwave does not support: update it"
             )
     linear = _is_linear(points)
     columns: dict[str, list[Any]] = {}

@@ -173,7 +173,7 @@ class RecommendedTransfer(FormulaBasis):
         values = {"M": contact.m, "L": contact.l, "D": contact.d}
         if contact.is_line:
             return [
-                "of a line contact: the formula was fitted to elliptical ones",
+                "of a line contact: the formula was fitted to elliptical contacts",
                 *super().reasons(),
             ]
         outside = [

@@ -92,7 +92,7 @@ class TwoWaveTransfer(LawBasis):
         ]
         sheared = zip(contact.stresses_in_inlet, MOST_CARREAU_SHEAR, strict=True)
         if contact.oil.name == "Carreau" and any(stress > most for stress, most in sheared):
-            ranges.append("of an oil that thins in the inlet more than those of the law")
+            ranges.append("of an oil that thins in the inlet more than in the fit of the law")
         return ranges + [f"{law}: the law was fitted to others" for law in contact.oil.other_laws]
 
     def _wavelength(self, per_length: Waves) -> Floats:

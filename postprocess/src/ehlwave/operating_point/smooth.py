@@ -66,7 +66,7 @@ class SmoothContact:
         if not name.startswith("_"):
             raise AttributeError(
                 f"Contact.{name} = {value!r}: a contact does not change; "
-                f"contact.replace({name}=...) returns another one"
+                f"contact.replace({name}=...) returns a new contact"
             )
         super().__setattr__(name, value)
 

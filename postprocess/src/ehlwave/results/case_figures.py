@@ -13,12 +13,17 @@ from numpy.typing import NDArray
 from ehlwave.inputs.effective_input import keys_of_input
 from ehlwave.results.case_file import central_film, check_field, number, positive
 from ehlwave.results.figures import COLOURS
+from ehlwave.results.instants import at_instant
+from ehlwave.results.map_panel import bar_beside, rolling_arrow
 from ehlwave.results.scales_of_figures import aspect_note, readable_aspect
 
 Floats = NDArray[np.float64]
 
 REACH = 1.5
 """Largest distance from the centre that is shown, in units of a and b."""
+
+LEVELS = np.arange(0.2, 2.01, 0.2)
+"""Lines of equal film, over the smooth central film."""
 
 FILM_SHOWN = 2.0
 """Thickest film that is shown, over the smooth central one."""
@@ -30,7 +35,7 @@ RISES = {
 }
 """Rises of the temperature along rolling, of a case with heat."""
 
-_STYLE = {"font.size": 8.5, "axes.labelsize": 9, "axes.titlesize": 9.5, "legend.fontsize": 8}
+STYLE = {"font.size": 8.5, "axes.labelsize": 9, "axes.titlesize": 9.5, "legend.fontsize": 8}
 
 
 @dataclass(frozen=True)
@@ -60,13 +65,16 @@ def units_of(case: xr.Dataset) -> Units:
     return Units(a, b, c, number(case, "hertz_pressure_pa") * 1e-9, time, names)
 
 
-def case_figure(case: xr.Dataset) -> Figure:
+def case_figure(case: xr.Dataset, time: float | None = None) -> Figure:
     """Draw film and pressure over the contact and along its midplanes, the central film in time.
 
     Parameters
     ----------
     case : xarray.Dataset
         From :func:`ehlwave.read_case`.
+    time : float, optional
+        Instant of a march with ``fields_every``, in the unit of the time axis: us, or T of a case
+        without dimensions. The nearest stored instant is drawn; the last one by default.
 
     Returns
     -------
@@ -76,6 +84,8 @@ def case_figure(case: xr.Dataset) -> Figure:
         With heat there are rises of the temperature besides.
     """
     units = units_of(case)
+    if time is not None:
+        case = at_instant(case, time, units.time or 1)
     is_line = case["y"].size == 1
     has_heat = next(iter(RISES)) in case
     if has_heat:
@@ -85,7 +95,7 @@ def case_figure(case: xr.Dataset) -> Figure:
     if has_time:
         check_field(case, "time", ("time",))
         check_field(case, "film_at_centre", ("time",))
-    with rc_context(_STYLE):
+    with rc_context(STYLE):
         if is_line:
             size = (11.0 if has_heat else 7.6, 3.0)
             figure = Figure(figsize=size, layout=ConstrainedLayoutEngine(w_pad=0.15))
@@ -99,8 +109,9 @@ def case_figure(case: xr.Dataset) -> Figure:
             if has_heat:
                 _draw_map(upper[3], case["rise_mid_film_k"], units, 1, "inferno")
                 upper[3].set_title("rise half-way across the film [K]")
-            central = central_film(case)
-            _draw_map(film_map, case["film"].clip(max=FILM_SHOWN * central), units, units.film)
+            most = FILM_SHOWN * central_film(case) * units.film
+            _draw_map(film_map, case["film"], units, units.film, most=most)
+            rolling_arrow(film_map)
             film_map.set_title(f"film, {units.names[2]}")
             _draw_map(pressure_map, case["pressure"], units, units.pressure, "magma")
             pressure_map.set_title(f"pressure, {units.names[3]}")
@@ -114,26 +125,35 @@ def case_figure(case: xr.Dataset) -> Figure:
         else:
             history.set_axis_off()
             history.text(0.5, 0.5, _summary(case, units), ha="center", va="center")
+        figure.suptitle(conditions_text(case, units), fontsize=9)
     return figure
 
 
 def _draw_map(
-    axes: Axes, field: xr.DataArray, units: Units, scale: float, colours: str = "viridis"
+    axes: Axes,
+    field: xr.DataArray,
+    units: Units,
+    scale: float,
+    colours: str = "viridis",
+    most: float | None = None,
 ) -> None:
+    """Draw a map; values above `most` have the last colour."""
     mesh = axes.pcolormesh(
         field["x"] * units.x,
         field["y"] * units.y,
         field * scale,
         cmap=colours,
         vmin=0,
+        vmax=most,
         shading="gouraud",
         rasterized=True,
     )
-    axes.figure.colorbar(mesh, ax=axes, shrink=0.85)
-    _frame(axes, field, units)
+    bar_beside(axes, mesh, capped=most is not None)
+    frame_map(axes, field, units)
 
 
-def _frame(axes: Axes, field: xr.DataArray, units: Units) -> None:
+def frame_map(axes: Axes, field: xr.DataArray, units: Units) -> None:
+    """Limit a map to the contact, and name its axes."""
     x, y = (
         scale * np.clip([field[name].min(), field[name].max()], -REACH, REACH)
         for name, scale in (("x", units.x), ("y", units.y))
@@ -148,10 +168,10 @@ def _draw_contours(axes: Axes, case: xr.Dataset, units: Units) -> None:
     central = central_film(case)
     film = case["film"] / central
     x, y = case["x"] * units.x, case["y"] * units.y
-    lines = axes.contour(x, y, film, np.arange(0.2, 2.01, 0.2), cmap="viridis", linewidths=0.8)
-    for label in axes.clabel(lines, lines.levels[::2], fontsize=8, colors="black"):
-        label.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8})
-    _frame(axes, case["film"], units)
+    lines = axes.contourf(x, y, film, LEVELS, cmap="viridis", extend="both")
+    axes.contour(x, y, film, LEVELS, colors="black", linewidths=0.4)
+    bar_beside(axes, lines)
+    frame_map(axes, case["film"], units)
     axes.set_title("film over smooth central film")
 
 
@@ -196,10 +216,13 @@ def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
         axes.plot(case["time"].values * scale, rigid, color="0.6", linewidth=0.9, label=name)
         low, high = min(low, rigid.min()), max(high, rigid.max())
     axes.axhline(central, color="black", linewidth=0.6, linestyle=":", label="smooth")
+    if "instant" in case:
+        instant = float(case["instant"]) * scale
+        axes.axvline(instant, color=COLOURS[1], linewidth=0.9, label="instant of the maps")
     axes.set_ylim(low - 0.08 * (high - low), high + 0.55 * (high - low))
     axes.set(xlabel=units.names[4], ylabel=units.names[2], title="film at the centre in time")
     axes.margins(x=0)
-    axes.legend(loc="upper left", frameon=False, fontsize=7)
+    axes.legend(loc="upper left", edgecolor="none", framealpha=0.9, fontsize=7, ncols=2)
 
 
 def undeformed_history(case: xr.Dataset) -> Floats | None:
@@ -231,12 +254,21 @@ def _given(case: xr.Dataset, key: str) -> float | str | None:
     return keys_of_input(str(case.attrs.get("effective_input", ""))).get(key)
 
 
+def conditions_text(case: xr.Dataset, units: Units) -> str:
+    """Return M, L, D and S, and the instant of a march, for the head of the picture."""
+    letters = {"M": "load_parameter_m", "L": "lubricant_parameter_l"}
+    letters |= {"D": "radius_ratio_d", "S": "slip_parameter"}
+    parts = [f"${k}$ = {number(case, key):.5g}" for k, key in letters.items() if key in case]
+    last = case["time"].values[-1:] if "time" in case and case["time"].size > 1 else []
+    for instant in [float(case["instant"])] if "instant" in case else last:
+        name = units.names[4].split(" [")[0]
+        unit = "" if name == "$T$" else r" $\mu$s"
+        parts.append(f"{name} = {instant * (units.time or 1):.4g}{unit}")
+    return ", ".join(parts)
+
+
 def _summary(case: xr.Dataset, units: Units) -> str:
-    keys = {"M": "load_parameter_m", "L": "lubricant_parameter_l"}
-    others = {"D": "radius_ratio_d", "S": "slip_parameter"}
-    keys |= {letter: key for letter, key in others.items() if key in case}
     lines = [str(case.attrs.get("status", ""))]
-    lines += [f"${letter}$ = {number(case, key):.5g}" for letter, key in keys.items()]
     if (oil := _given(case, "oil_over_flooded")) is not None:
         lines.append(f"$r$ = {positive(oil, 'oil_over_flooded', case):g}")
     symbol, _, unit = units.names[2].partition(" ")

@@ -1,7 +1,7 @@
 """A contact: film and pressure from the file that ``ehlwave-case --output`` writes."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -149,24 +149,31 @@ def contact_figure(contact: xr.Dataset) -> "Figure":
     from matplotlib.figure import Figure
     from matplotlib.layout_engine import ConstrainedLayoutEngine
 
+    from ehlwave.results.map_panel import rolling_arrow
+
     is_line = contact["y"].size == 1
-    film = (contact["film"] / central_film(contact)).clip(max=FILM_SHOWN)
+    film = contact["film"] / central_film(contact)
     with rc_context(_STYLE):
         width, panels = (4.4, 1) if is_line else (9.4, 3)
         figure = Figure(figsize=(width, 2.8), layout=ConstrainedLayoutEngine(w_pad=0.12))
         axes = figure.subplots(1, panels, squeeze=False)[0]
         if not is_line:
             _draw_map(axes[0], contact["pressure"], "pressure $P$", "magma")
-            _draw_map(axes[1], film, "film $H/H_c$", "viridis")
-        _draw_line(axes[-1], contact["pressure"], film)
+            _draw_map(axes[1], film, "film $H/H_c$", "viridis", FILM_SHOWN)
+            rolling_arrow(axes[1])
+        _draw_line(axes[-1], contact["pressure"], film.clip(max=FILM_SHOWN))
     return figure
 
 
-def _draw_map(axes: "Axes", field: xr.DataArray, name: str, colours: str) -> None:
-    mesh = axes.pcolormesh(
-        field["x"], field["y"], field, cmap=colours, vmin=0, shading="gouraud", rasterized=True
-    )
-    axes.figure.colorbar(mesh, ax=axes, shrink=0.9)
+def _draw_map(
+    axes: "Axes", field: xr.DataArray, name: str, colours: str, most: float | None = None
+) -> None:
+    from ehlwave.results.map_panel import bar_beside
+
+    x, y = field["x"], field["y"]
+    options: dict[str, Any] = {"cmap": colours, "vmin": 0, "vmax": most, "rasterized": True}
+    mesh = axes.pcolormesh(x, y, field, shading="gouraud", **options)
+    bar_beside(axes, mesh, capped=most is not None)
     axes.set(title=name, xlabel="$X$", ylabel="$Y$", aspect="equal")
     _limit(axes, "x", field["x"])
     _limit(axes, "y", field["y"])

@@ -81,8 +81,10 @@ def collapse_figure(points: xr.Dataset, variable: Variable, color_by: str | None
         figure = Figure(figsize=(7.6, 2.9), layout="constrained")
         panels = figure.subplots(1, len(ORIENTATIONS), sharex=True, sharey=True)
         for axes, orientation in zip(panels, ORIENTATIONS, strict=True):
-            _draw_curves(axes, refitted, resolved_x)
-            _draw_points(axes, of_orientation(points, orientation), variable, markers, colours)
+            own = of_orientation(points, orientation)
+            has_points = own["is_point_resolved"].values.any()
+            _draw_curves(axes, refitted if has_points else None, resolved_x)
+            _draw_points(axes, own, variable, markers, colours)
             _finish_panel(axes, orientation)
             axes.set_xlabel(X_LABELS[variable])
         panels[0].set_ylabel(r"$A_d/A_i$")
@@ -186,10 +188,9 @@ def _draw_curves(axes: Axes, refitted: FormulaFit | None, resolved_x: np.ndarray
     x = np.geomspace(*X_LIMITS, 400)
     axes.plot(x, amplitude_ratio_formula(x), "--", color="black", linewidth=1.1, zorder=2)
     if refitted is not None:
-        # Beyond the points the fitted curve means nothing, and may have a pole; before its top,
-        # which a negative c1 gives it, neither.
-        top = -refitted.c1 / (2 * refitted.c2) if refitted.c2 > 0 else 0.0
-        x = np.geomspace(max(resolved_x.min(), min(top, resolved_x.max())), resolved_x.max(), 400)
+        # A negative c1 puts the curve above 1 up to here.
+        one = -refitted.c1 / refitted.c2 if refitted.c2 > 0 else 0.0
+        x = np.geomspace(max(resolved_x.min(), min(one, resolved_x.max())), resolved_x.max(), 400)
         fitted = amplitude_ratio_formula(x, refitted.c1, refitted.c2)
         axes.plot(x, fitted, "-", color="black", linewidth=0.7, zorder=2)
 

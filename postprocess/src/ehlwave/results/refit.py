@@ -21,6 +21,12 @@ from ehlwave.results.schema import DIMENSION, ORIENTATIONS
 
 NAN = float("nan")
 
+INTERVAL_CONDITIONS = 4
+"""Operating conditions from which on intervals are given: three have ten different samples."""
+
+FEW_CONDITIONS = 8
+"""Operating conditions below which a warning names the intervals as too narrow."""
+
 
 @dataclass(frozen=True)
 class RefitSettings:
@@ -180,6 +186,8 @@ def _fit_row(
         c1_profile=fit.c1_interval,
         c2_profile=fit.c2_interval,
     )
+    if np.unique(condition).size < INTERVAL_CONDITIONS or fit.c1 < 0:
+        return replace(row, c1_profile=NO_INTERVAL, c2_profile=NO_INTERVAL, note=_no_interval(row))
     try:
         samples = bootstrap_coefficients(
             x, ratio, condition, settings.replicates, settings.seed, weight
@@ -188,6 +196,48 @@ def _fit_row(
         return replace(row, note=str(error))
     c1_bootstrap, c2_bootstrap = percentile_intervals(samples, settings.confidence)
     return replace(row, c1_bootstrap=c1_bootstrap, c2_bootstrap=c2_bootstrap, samples=len(samples))
+
+
+def refit_warnings(rows: Sequence[RefitRow]) -> list[str]:
+    """Return notes for readers of the fit over all points.
+
+    Parameters
+    ----------
+    rows : sequence of RefitRow
+        From :func:`refit_groups`.
+    """
+    found = []
+    for row in rows:
+        if row.group != "all" or row.variable != "f_v" or not np.isfinite(row.c1):
+            continue
+        if row.conditions < FEW_CONDITIONS:
+            found.append(
+                f"{row.conditions} operating condition(s): intervals are too narrow or absent "
+                f"below {FEW_CONDITIONS}: vary load, oil or shape"
+            )
+        kinds = [one.group for one in rows if one.variable == "f_v" and one.points]
+        if len(kinds) == 2:
+            found.append(
+                f"{kinds[1]} waves only: the coefficients are those of this orientation, not of "
+                "one curve for all"
+            )
+        if row.c1 < 0:
+            found.append(_above_one(row))
+    return found
+
+
+def _no_interval(row: RefitRow) -> str:
+    if row.conditions < INTERVAL_CONDITIONS:
+        return (
+            f"no intervals ({row.conditions} operating condition(s); {INTERVAL_CONDITIONS} needed)"
+        )
+    return f"no intervals ({_above_one(row)})"
+
+
+def _above_one(row: RefitRow) -> str:
+    name = "f V" if row.variable == "f_v" else "f V2"
+    below = f"{-row.c1 / row.c2:.3g}" if row.c2 > 0 else "infinity"
+    return f"c1 < 0: the curve is above 1 for {name} below {below}; add points there"
 
 
 def _quotient(numerator: float, denominator: float) -> float:

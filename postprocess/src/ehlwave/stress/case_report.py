@@ -17,7 +17,7 @@ from ehlwave.stress.case import (
     stress_of_case,
 )
 from ehlwave.stress.criteria import CRITERIA, Largest, largest, largest_shear
-from ehlwave.stress.dang_van import dang_van_factor, fatigue_shear
+from ehlwave.stress.dang_van import dang_van_factor, fatigue_shear, limit_text
 from ehlwave.stress.loads import DEEPEST, checked_depths
 from ehlwave.stress.report import MPA, NAMES, place_text
 from ehlwave.stress.waves import COMPONENTS
@@ -134,10 +134,12 @@ def case_text(document: dict[str, Any]) -> str:
             lines += [
                 f"  {DANG_VAN:26}{entry['dang_van']:9.3f} at "
                 f"{entry['dang_van_depth_m'] * scale:.3g} {unit}; smooth "
-                f"{entry['dang_van_smooth']:.3f}; N = {document['cycles']:.3g}; share at risk "
-                f"{100 * entry['share_at_risk']:.3g} %"
+                f"{entry['dang_van_smooth']:.3f}; N = {document['cycles']:.3g}; share of surface "
+                f"at risk {100 * entry['share_at_risk']:.3g} %"
             ]
-    if not any("dang_van" in entry for entry in document["bodies"]):
+    if any("dang_van" in entry for entry in document["bodies"]):
+        lines += ["", limit_text(document["cycles"])]
+    else:
         lines += ["", f"{DANG_VAN}: not known, cycles have no effect: it needs {HISTORY}"]
     return "\n".join(lines)
 

@@ -47,6 +47,19 @@ def fatigue_shear(cycles: ArrayLike) -> Floats:
     return np.asarray(strength)
 
 
+def limit_text(cycles: float) -> str:
+    """Return the limit that factors are relative to, and the meaning of a share at risk."""
+    tau_f = float(fatigue_shear(cycles)) * 1e-6
+    return (
+        f"Limit        Dang Van's factor is relative to bearing steel at {cycles:.3g} load cycles: "
+        f"tau_f = {tau_f:.4g} MPa,\n"
+        f"             c = {PRESSURE_COEFFICIENT} (Morales-Espejel and Brizmer 2011). From 1 on "
+        "cracks begin within these cycles.\n"
+        "             Share of surface at risk: points of the surface with a factor of 1 or more "
+        "at some depth."
+    )
+
+
 class Path(NamedTuple):
     """Shear stress tau and hydrostatic stress over time, arrays with time first, Pa."""
 

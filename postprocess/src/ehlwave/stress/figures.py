@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ehlwave.results.figures import COLOURS
+from ehlwave.results.map_panel import bar_beside, rolling_arrow
 from ehlwave.results.scales_of_figures import aspect_note, readable_aspect
 from ehlwave.stress.centre import contact_fields
 from ehlwave.stress.criteria import von_mises
@@ -67,17 +68,19 @@ def section_figure(
         top.plot(x, pressure_pa.transpose("x", "y").values[:, row] * 1e-9, color=COLOURS[0])
         top.set(ylabel="pressure [GPa]", xlim=(x[0], x[-1]), ylim=(0, None))
         top.tick_params(labelbottom=False)
-        z, name = stress["z"].values * scale, "von Mises [MPa], $y=0$"
-        _colours(axes[1, 0], x, z, line.values, name, place="bottom")
+        z, name = stress["z"].values * scale, "von Mises [MPa]"
+        _colours(axes[1, 0], x, z, line.values, name)
         axes[1, 0].invert_yaxis()
         axes[1, 0].set(xlabel=f"$x$ [{unit}]", ylabel=f"depth $z$ [{unit}]", aspect=1, anchor="N")
+        axes[1, 0].set_title("section $y=0$")
         if not is_line:
             y = stress["y"].values * scale
             _pressure_map(axes[0, 1], x, y, pressure_pa)
             depth = float(stress["z"][deep]) * scale
-            name = f"von Mises [MPa], $z={depth:.3g}$ {unit}"
+            axes[1, 1].set_title(f"depth $z={depth:.3g}$ {unit}")
             _colours(axes[1, 1], x, y, field.isel(z=deep).transpose("y", "x").values, name)
             sides = float(np.ptp(x)), float(np.ptp(y))
+            rolling_arrow(axes[0, 1])
             for panel in axes[:, 1]:
                 panel.set(xlabel=f"$x$ [{unit}]", ylabel=f"$y$ [{unit}]{aspect_note(*sides)}")
                 panel.set_aspect(readable_aspect(*sides))
@@ -118,7 +121,9 @@ def depth_figure(result: RoughStress) -> Figure:
             plane.plot(*_in_plane(body.path), label=body.name, **line)
         smooth = np.asarray(result.bodies[0].smooth_over_depth)
         over_depth.plot(smooth, depth, color="0.2", linestyle=":", label="without roughness")
-        over_depth.axvline(1, color="0.6", linewidth=0.8, label="cracks begin from here on")
+        over_depth.axvline(
+            1, color="0.6", linewidth=0.8, label="limit: cracks begin within $N$ cycles"
+        )
         over_depth.set(xlabel="Dang Van's factor", ylabel=r"depth $z$ [$\mu$m]", xlim=(0, None))
         over_depth.invert_yaxis()
         over_depth.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
@@ -184,7 +189,6 @@ def _colours(
     values: Floats,
     name: str,
     colours: str = "viridis",
-    place: str = "right",
 ) -> None:
     mesh = axes.pcolormesh(x, y, values, cmap=colours, vmin=0, shading="gouraud", rasterized=True)
-    axes.figure.colorbar(mesh, ax=axes, label=name, location=place)
+    bar_beside(axes, mesh, name)

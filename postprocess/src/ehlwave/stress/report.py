@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from ehlwave.stress.body import INNER, BodyStress, Peak
-from ehlwave.stress.dang_van import Path
+from ehlwave.stress.dang_van import Path, limit_text
 from ehlwave.stress.rough import RoughStress
 
 FORMAT_NAME = "ehlwave-stress"
@@ -57,7 +57,7 @@ def stress_text(result: RoughStress) -> str:
             _row("share of surface at risk", f"{100 * body.share_at_risk:.3g} %"),
             _row("life over that without", f"{body.life_ratio:.3g}"),
         ]
-    lines.append("")
+    lines += ["", limit_text(result.cycles)]
     if result.valid_within_a > 0:
         lines.append(
             f"Valid        for |x| < {result.valid_within_a:.2f} a; the outlet edge and the "

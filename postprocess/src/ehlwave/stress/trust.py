@@ -35,13 +35,13 @@ def doubts(
     if squares * LEAST_LAMBDA_RATIO**2 > 1:
         found.append(
             "the film is less than three times the deformed roughness: asperities may touch, where "
-            "the pressure is that of dry contacts"
+            "the pressure is as in dry contacts"
         )
     if reach(ripples, hertz_pressure_of(conditions)) == 0:
         lowest = _lowest(ripples)
         found.append(
             f"the ripple falls to {lowest * 1e-9:.3g} GPa, below -ph: the oil cannot bear tension, "
-            "and what is left does not follow from small waves"
+            "and the rest does not follow from small waves"
         )
     if bar > MODEL_ERROR:
         found.append(f"the error bars of the responses are {100 * bar:.2g} % of the ripple")

@@ -19,7 +19,7 @@ the marched waves that the manual compares with linear responses."""
 ROLLING_FACTOR = 0.05
 SLIP_FACTORS = (68.0, 18.0)
 """Relative change of Ad/Ai over (amplitude/film)^2, and the same over (S - 1)^2: of Newtonian oils
-with S > 1, of others. Those of ``src/case/linear_range.f90``, with which a test compares them."""
+with S > 1, of others. A test compares them with ``src/case/linear_range.f90``."""
 
 ROUNDING = 1e-9
 """Rounding of S, where S - 1 is compared."""

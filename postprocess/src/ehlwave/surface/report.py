@@ -13,6 +13,7 @@ import xarray as xr
 
 from ehlwave.results.cf import with_cf
 from ehlwave.surface.answer import LIMITS_TEXT, answer_of
+from ehlwave.surface.narrower import narrower
 from ehlwave.surface.pair import PairStatistics
 from ehlwave.surface.predict import Deformed
 from ehlwave.surface.spectrum import Component
@@ -60,6 +61,8 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         )
     if s.mean_film_m is not None:
         lines += _film_lines(result)
+    if step := narrower(result):
+        lines.append(f"To narrow    {step}")
     for other in others:
         t = other.statistics
         ratio = "" if t.lambda_ratio_after is None else f", lambda ratio {t.lambda_ratio_after:.4g}"
@@ -80,7 +83,8 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
 
 def brief_text(result: Deformed) -> str:
     """Return the answer, surface, conditions, film, errors, unjudged components and warnings."""
-    kept = "Answer", "Surface", "Conditions", "Reduced by", "Film", "Not judged", "Warning"
+    kept = "Answer", "Surface", "Conditions", "Reduced by", "Film", "To narrow"
+    kept += "Not judged", "Warning"
     lines, heading = [], ""
     for line in report_text(result).splitlines():
         heading = heading if line.startswith(" ") else line

@@ -12,8 +12,8 @@ DESCRIPTION = """\
 Predict the shape of a surface inside the contact, without a simulation: decompose it into
 harmonics, take each with amplitude and phase from the atlas of computed responses, and add them up
 again. In place of the atlas: a harmonic table of your own, the recommended formula, or
-Ad/Ai = 1/(1 + 0.15 f V + 0.015 (f V)^2) of Venner, Kaneta and Lubrecht (2000). The report says
-which it was, how far it can be trusted, and what the others say."""
+Ad/Ai = 1/(1 + 0.15 f V + 0.015 (f V)^2) of Venner, Kaneta and Lubrecht (2000). The report names
+the law, its reliability, and the results of the others."""
 
 EPILOG = """\
 Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or both:
@@ -36,7 +36,7 @@ removes the tilt of the specimen; 'quadratic' also the curvature of a ball or ro
 Ends: a Fourier series repeats the surface, and ends that do not match would add components.
 'mirror' continues the surface by its mirror image; 'taper' fades the outer tenth at each end to
 zero and leaves it out of the statistics; 'none' is for surfaces that repeat, such as synthetic
-ones.
+surfaces.
 
 Examples:
   ehlwave deform trace.csv --conditions contact.nml --length-unit mm --height-unit um
@@ -45,14 +45,14 @@ Examples:
       --length-unit mm --height-unit um
 
 Under slip (slip_parameter in the conditions, or --slide-to-roll-ratio) the atlas has Ree-Eyring
-oils (eyring_stress_pa). For other oils, also Carreau ones (carreau_modulus_pa,
+oils (eyring_stress_pa). For other oils, also Carreau oils (carreau_modulus_pa,
 carreau_exponent), the law of the two waves holds. A harmonic table of this slip is better."""
 
 
 LAMBDA_DESCRIPTION = """\
-Say whether a film separates rough surfaces: the mean film over the Rq of the surface as it is
-inside the contact, its error, and what it means. Takes what ehlwave deform takes, which says more.
-The limits, boundary below 1 and full film from 3, are those of Hamrock, Schmid and Jacobson
+Report whether a film separates rough surfaces: the mean film over the Rq of the surface inside
+the contact, its error, and its meaning. Takes the input of ehlwave deform, which reports more.
+The limits, boundary below 1 and full film from 3, come from Hamrock, Schmid and Jacobson
 (2004); they were made for the roughness of both surfaces as made."""
 
 
@@ -133,7 +133,7 @@ def _add_prediction(parser: argparse.ArgumentParser) -> None:
     add_ratio(parser)
     add_reading(parser)
     parser.add_argument(
-        "--ends", choices=WINDOWS, default=WINDOWS[0], help="what is done about the ends; see below"
+        "--ends", choices=WINDOWS, default=WINDOWS[0], help="treatment of the ends; see below"
     )
     parser.add_argument(
         "--cutoff",

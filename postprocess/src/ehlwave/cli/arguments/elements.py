@@ -15,7 +15,7 @@ COMMANDS = {
 EPILOG = """\
 FILE is a TOML file: element = "...", [dimensions], [conditions], [oil] and, for roughness,
 [surface]; heat = true for films and friction with heat. Names are those of ehlwave.elements;
-examples stand in postprocess/examples/elements.
+examples are in postprocess/examples/elements.
 
 With --output DIR it writes report.html (one file, figures inside), report.json, table.csv, and
 cases.csv with sweep.nml for ehlwave-sweep. Places without an answer have a reason.

@@ -30,13 +30,14 @@ def add_results_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does
         added.set_defaults(run=_runs(name))
         return added
 
-    def of_case(name: str, text: str) -> None:
+    def of_case(name: str, text: str) -> argparse.ArgumentParser:
         added = commands.add_parser(name, help=text, description=text)
         added.add_argument(
             "case", type=Path, metavar="FILE", help="HDF5 file of ehlwave-case --output"
         )
         add_output(added)
         added.set_defaults(run=_runs(name))
+        return added
 
     collapse = command("collapse", "draw Ad/Ai against f(r) V2 and f(r) V")
     _add_common(collapse)
@@ -55,7 +56,7 @@ def add_results_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does
     refit.add_argument(
         "--seed", type=_count, default=SEED, help="of the bootstrap's random numbers"
     )
-    command("table", "count cases by status and list the failed ones")
+    command("table", "count cases by status and list failed cases")
     export = command(
         "export",
         "write results as CSV, Parquet, NetCDF or VTK",
@@ -71,7 +72,25 @@ def add_results_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does
     add_overwrite(harmonics)
     _add_edges(harmonics)
     of_case("contact", "draw film and pressure of one case")
-    of_case("plot", "draw one case in um, GPa and us: maps, midplanes, film at the centre in time")
+    plot = of_case(
+        "plot", "draw one case in um, GPa and us: maps, midplanes, film at the centre in time"
+    )
+    plot.add_argument(
+        "--time",
+        type=float,
+        metavar="TIME",
+        help="instant to draw, of a march with &output fields_every = N /: in us, or T of a case "
+        "without dimensions (default: the last one)",
+    )
+    animate = of_case(
+        "animate", "draw a march in motion, as GIF or MP4; it needs &output fields_every = N /"
+    )
+    animate.add_argument(
+        "--format", choices=("gif", "mp4"), default="gif", help="gif (default), or mp4 by ffmpeg"
+    )
+    animate.add_argument(
+        "--frames-per-second", type=float, default=10.0, metavar="N", help="default 10"
+    )
 
 
 def _runs(name: str) -> Run:

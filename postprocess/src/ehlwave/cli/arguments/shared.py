@@ -36,7 +36,7 @@ def add_output(parser: argparse.ArgumentParser) -> None:
 
 def add_overwrite(parser: argparse.ArgumentParser) -> None:
     """Add the option that lets outputs replace files that are not results of ours."""
-    text = "replace files that are not results of ehlwave; what is read is never replaced"
+    text = "also replace files that ehlwave did not write (never inputs)"
     parser.add_argument("--overwrite", action="store_true", help=text)
 
 
@@ -57,7 +57,7 @@ def add_reading(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--decimal",
         choices=DECIMALS,
-        help="what decimals of a text file begin with, where the file does not decide it",
+        help="decimal mark of a text file, where the file does not decide it",
     )
     parser.add_argument(
         "--rolling-axis",

@@ -9,7 +9,7 @@ from ehlwave.cli.arguments.shared import add_laws, add_overwrite, add_reading, l
 from ehlwave.cli.command_line import add_ratio
 
 DESCRIPTION = """\
-Stresses below a lubricated contact, and what they do to its life: von Mises, largest and orthogonal
+Stresses below a lubricated contact, and their effect on its life: von Mises, largest and orthogonal
 shear with depth and place, Dang Van's factor over the passage of material points of both bodies,
 the life ratio of Ioannides and Harris. FILE is the HDF5 file of ehlwave-case --output, or, with
 --conditions, a measured trace or map whose pressure is predicted as ehlwave deform predicts its
@@ -17,10 +17,10 @@ shape."""
 
 EPILOG = """\
 Bodies: the first has the slip parameter S of the conditions and carries FILE, the second 2 - S and
-the surface of --second, if there is one. Friction drags the faster one back.
+the surface of --second, if given. Friction drags the faster body back.
 
 Dang Van's factor: 1 or more means that cracks begin within --cycles in bearing steel. It needs a
-history: of files, that of a march with &output fields_every = N / .
+history: of files, the fields of a march with &output fields_every = N / .
 
 Examples:
   ehlwave stress case.h5
@@ -29,7 +29,7 @@ Examples:
       --cycles 1e7 --json
 
 Not to be trusted: where amplitudes are above 0.3 of the film, where asperities touch, and at the
-edge of the contact with its pressure spike. The report says which of them it is."""
+edge of the contact with its pressure spike. The report names the cause."""
 
 
 def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does not name this type
@@ -81,7 +81,7 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
     add_laws(parser)
     add_reading(parser)
     parser.add_argument(
-        "--ends", choices=WINDOWS, default=WINDOWS[0], help="what is done about the ends of FILE"
+        "--ends", choices=WINDOWS, default=WINDOWS[0], help="treatment of the ends of FILE"
     )
     parser.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
     parser.add_argument("--json", action="store_true", help="print JSON instead of text")

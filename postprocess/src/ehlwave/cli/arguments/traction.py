@@ -19,7 +19,7 @@ replaced by each of the ratios.
 
 Regimes: linear, friction is proportional to the ratio within a tenth; nonlinear, the oil thins;
 thermal or limited, heat or the limit takes more than a tenth of it, whichever takes more. Warnings
-of the program are said once, with the ratio from which they hold.
+of the program appear once, with the ratio from which they hold.
 
 Examples:
   ehlwave traction rollers.nml --output traction

@@ -34,7 +34,7 @@ FREE = ("load_parameter_m", "lubricant_parameter_l")
 
 LETTERS = {"load_parameter_m": "M", "lubricant_parameter_l": "L", "radius_ratio_d": "D"}
 STRESS = "stress_modulus_pa2"
-NOWHERE = "no change of what it was given by leads into the atlas"
+NOWHERE = "no change of the given quantities leads into the atlas"
 _STEP, _MARGIN = 1e-4, 0.02
 _DIGITS = 3
 _TRIED = 200
@@ -80,7 +80,7 @@ def refuse_outside(contact: Conditions, kind: Kind) -> None:
         first, low, high = texts[0]
         name, factor = names.get(first, (first, 1.0))
         text = (
-            f"{name} = {given[first] * factor:.4g} gives {said}; with the rest as it is the atlas "
+            f"{name} = {given[first] * factor:.4g} gives {said}; with the rest unchanged the atlas "
             f"holds {_ends(low * factor, high * factor)} {_unit(first, name)}"
         )
         if len(texts) > 1:

@@ -49,12 +49,12 @@ def beyond_limits(keys: Mapping[str, float]) -> str:
     if film > THICKEST_FILM * (1 + 1e-9):
         return (
             f"a film of {film:.3g} times the Hertz approach (of at most {THICKEST_FILM:g}: "
-            "thicker ones hardly deform the bodies)"
+            "thicker films hardly deform the bodies)"
         )
     if film < THINNEST_FILM * (1 - 1e-9):
         return (
             f"a film of {film:.3g} times the Hertz approach (of at least {THINNEST_FILM:g}: "
-            "thinner ones have inlets too steep)"
+            "thinner films have inlets too steep)"
         )
     product = alphabar(m, l, pressure_factor(ellipticity(d)))
     if product > LARGEST_ALPHABAR * (1 + 1e-9):

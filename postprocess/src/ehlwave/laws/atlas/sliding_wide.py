@@ -88,7 +88,7 @@ def beyond_sliding(keys: Mapping[str, float]) -> str:
     if film < THINNEST_SLIDING_FILM * (1 - 1e-9):
         return (
             f"a film under slip of about {film:.3g} times the Hertz approach (of at least "
-            f"{THINNEST_SLIDING_FILM:g}: thinner ones have inlets too steep)"
+            f"{THINNEST_SLIDING_FILM:g}: thinner films have inlets too steep)"
         )
     return ""
 

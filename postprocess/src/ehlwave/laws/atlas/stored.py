@@ -36,7 +36,7 @@ def read_stored(path: str | Path) -> xr.Dataset:
     except (OSError, ValueError, TypeError) as error:
         raise ResultsError(f"{path}: cannot be read as an atlas ({error})") from error
     if checksum(data) != data.attrs.get("checksum"):
-        raise ResultsError(f"{path}: its checksum is not that of its data: the file is damaged")
+        raise ResultsError(f"{path}: its checksum does not match its data: the file is damaged")
     return xr.Dataset({name: _unpacked(data[name]) for name in data}, attrs=data.attrs)
 
 

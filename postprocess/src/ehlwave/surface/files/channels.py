@@ -47,7 +47,7 @@ def chosen_channel(file: Path, channels: Sequence[Any], wanted: str | None = Non
         if found:
             break
     raise SurfaceError(
-        f"{file}: which channel holds the heights? It has {_listed(channels)}: say it by channel="
+        f"{file}: which channel holds the heights? It has {_listed(channels)}: choose by channel="
     )
 
 

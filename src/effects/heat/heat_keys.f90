@@ -1,22 +1,72 @@
 !> The keys of group &heat: how oil and bodies conduct and store heat. With them temperatures are found.
 module ehlwave_heat_keys
    use ehlwave_case_key, only: key_t
+   use ehlwave_effect_keys, only: by_fas, by_fitted_scheme, effect_keys_t
    use ehlwave_film_levels, only: most_levels
    use ehlwave_heat_data, only: body_heat_t, carried, frozen, heat_data_t
    use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: visit_heat_keys
+
+   type, extends(effect_keys_t), public :: heat_keys_t
+      type(heat_data_t) :: data
+   contains
+      procedure, nopass :: follows
+      procedure :: visit
+      procedure :: is_given
+      procedure, nopass :: refuses
+      procedure :: changing
+      procedure, nopass :: finds_temperatures
+      procedure, nopass :: empty_group
+   end type heat_keys_t
 
 contains
 
-   subroutine visit_heat_keys(heat, list)
+   pure function follows() result(group)
+      character(len=:), allocatable :: group
+      group = 'lubricant'
+   end function follows
+
+   subroutine visit(self, list)
+      class(heat_keys_t), intent(inout) :: self
+      type(key_list_t), intent(inout) :: list
+      call visit_data(self%data, list)
+   end subroutine visit
+
+   elemental logical function is_given(self)
+      class(heat_keys_t), intent(in) :: self
+      is_given = self%data%is_given()
+   end function is_given
+
+   pure logical function refuses(method)
+      integer, intent(in) :: method
+      refuses = any(method == [by_fas, by_fitted_scheme])
+   end function refuses
+
+   pure function changing(self) result(name)
+      class(heat_keys_t), intent(in) :: self
+      character(len=:), allocatable :: name
+      name = ''
+   end function changing
+
+   pure logical function finds_temperatures()
+      finds_temperatures = .true.
+   end function finds_temperatures
+
+   pure subroutine empty_group(group, message)
+      character(len=:), allocatable, intent(inout) :: group, message
+      group = 'heat'
+      message = '&heat has no data: write oil_conductivity_w_per_m_k and the others that it needs, or remove the '// &
+         'group, without which the contact is isothermal'
+   end subroutine empty_group
+
+   subroutine visit_data(heat, list)
       type(heat_data_t), intent(inout) :: heat
       type(key_list_t), intent(inout) :: list
 
       call list%enter('heat', 'Heat of the film and of both bodies; absent: the contact is isothermal at T0. As '// &
-         'waves pass, temperatures stay those of the smooth contact, or are carried on in time.')
+         'waves pass, temperatures are frozen at the smooth contact, or computed in time.')
       list%common = key_t(is_late=.true., is_written=heat%is_given())
       call list%see(heat%oil_conductivity_w_per_m_k, key_t('oil_conductivity_w_per_m_k', 'conductivity of the oil', &
          unit='W/(m K)', above=0.0_dp, default='none'))
@@ -38,7 +88,7 @@ contains
       call list%see(heat%wave_temperatures, key_t('wave_temperatures', "temperatures in marches; 'frozen': those "// &
          "of the smooth contact; 'carried': of the oil and of both surfaces as heat flows in time", &
          choices=frozen//' '//carried))
-   end subroutine visit_heat_keys
+   end subroutine visit_data
 
    subroutine visit_body(name, body, of, list)
       character(len=*), intent(in) :: name, of

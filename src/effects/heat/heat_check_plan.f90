@@ -1,5 +1,5 @@
-!> The heat of a case: what it needs, and what it cannot be asked for.
-module ehlwave_case_heat
+!> Heat of a case: required data, and refusals.
+module ehlwave_heat_check_plan
    use ehlwave_case_definition, only: case_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_oil, only: doolittle, oil_t, tabulated
@@ -10,21 +10,21 @@ module ehlwave_case_heat
 
 contains
 
-   !> Give the oil what its laws take of the heat.
+   !> Give the thermal data to the laws of the oil.
    pure subroutine heat_of_oil(case)
       type(case_t), intent(inout) :: case
-      case%oil%beta_per_k = case%heat%viscosity_temperature_per_k
-      case%oil%expansion_per_k = case%heat%oil_expansion_per_k
+      case%oil%beta_per_k = case%effects%heat%data%viscosity_temperature_per_k
+      case%oil%expansion_per_k = case%effects%heat%data%oil_expansion_per_k
    end subroutine heat_of_oil
 
-   !> Refuse a case with heat that lacks data, or whose temperatures are not near those of the smooth contact.
+   !> Refuse a case with heat that lacks data, or whose temperatures are far from the smooth contact's.
    subroutine check_heat(case, error)
       type(case_t), intent(in) :: case
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: missing
 
-      if (allocated(error) .or. .not. case%heat%is_given()) return
-      associate (heat => case%heat, oil => case%oil)
+      if (allocated(error) .or. .not. case%effects%heat%data%is_given()) return
+      associate (heat => case%effects%heat%data, oil => case%oil)
          missing = ''
          if (.not. heat%oil_conductivity_w_per_m_k > 0) missing = '&heat oil_conductivity_w_per_m_k'
          if (.not. heat%oil_heat_capacity_j_per_kg_k > 0) missing = '&heat oil_heat_capacity_j_per_kg_k'
@@ -44,7 +44,7 @@ contains
                'grows warmer without end')
          else if (oil%viscosity_law == doolittle .and. .not. &
                   max(heat%oil_expansion_per_k, abs(oil%doolittle%occupied_rate_per_k)) > 0) then
-            call raise(error, "&lubricant viscosity_law = '"//doolittle//"' knows the temperature by its volume: "// &
+            call raise(error, "&lubricant viscosity_law = '"//doolittle//"' takes the temperature from its volume: "// &
                'give &heat oil_expansion_per_k, or &lubricant doolittle_occupied_rate_per_k, too')
          else if (.not. oil%takes_beta() .and. heat%viscosity_temperature_per_k > 0) then
             call raise(error, "&heat viscosity_temperature_per_k belongs to laws without temperature of their own: "// &
@@ -71,17 +71,15 @@ contains
                "transverse, isotropic or custom waves with response = 'transient' or 'both', or remove it")
          else if (case%method == 'fas') then
             call raise(error, "&solver method = 'fas' does not take &heat: use 'newton' or 'petsc'")
-         else if (case%sensitivities) then
-            call raise(error, '&output sensitivities are those of an isothermal contact: remove them, or &heat')
          end if
       end associate
    end subroutine check_heat
 
-   !> Whether the viscosity of an oil was measured at one temperature alone.
+   !> Whether the viscosity of an oil was measured at a single temperature.
    pure logical function has_one_temperature(oil)
       type(oil_t), intent(in) :: oil
       has_one_temperature = oil%viscosity_law == tabulated
       if (has_one_temperature) has_one_temperature = oil%measured%column('temperature_k') == 0
    end function has_one_temperature
 
-end module ehlwave_case_heat
+end module ehlwave_heat_check_plan

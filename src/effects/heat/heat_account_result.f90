@@ -1,5 +1,5 @@
 !> How warm a contact is, and where its heat goes.
-module ehlwave_heat_result
+module ehlwave_heat_account_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_carried_heat, only: carried_heat
    use ehlwave_contact_problem, only: contact_problem_t
@@ -13,7 +13,7 @@ module ehlwave_heat_result
    public :: warm_fields
 
    !> NaN of an isothermal contact. Heat is in W, of a line contact in W/m.
-   type, public :: heat_result_t
+   type, public :: heat_account_t
       real(dp) :: isothermal_friction = no_value, isothermal_film = no_value   !! friction, H(0,0) without it
       real(dp) :: largest_mid_k = no_value, largest_wall_k(2) = no_value       !! rises over T0
       real(dp) :: centre_mid_k = no_value, centre_wall_k(2) = no_value         !! values at X = Y = 0
@@ -32,7 +32,7 @@ module ehlwave_heat_result
       procedure :: film_error
       procedure :: explain
       procedure :: warning
-   end type heat_result_t
+   end type heat_account_t
 
    real(dp), parameter :: no_oil_bears = 0.15_dp    ! friction coefficient
    !> Peclet number from which on the rise of a surface equals the fast limit within 3 % (Blok, Jaeger).
@@ -48,14 +48,14 @@ contains
 
    !> Relative error of the film by temperatures that have not settled and by the levels across it.
    pure real(dp) function film_error(self)
-      class(heat_result_t), intent(in) :: self
+      class(heat_account_t), intent(in) :: self
       film_error = self%settling + self%levels_error
    end function film_error
 
    !> Account of the last march at a solution. The balance covers the film under pressure: heat carried off is the
    !> flow of oil through its edges times the rise there.
    subroutine take(self, problem, state, energy)
-      class(heat_result_t), intent(inout) :: self
+      class(heat_account_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
       type(energy_t), intent(in) :: energy
@@ -118,7 +118,7 @@ contains
 
    !> Which surface is slow against conduction along it; '' where none is.
    function warning(self) result(text)
-      class(heat_result_t), intent(in) :: self
+      class(heat_account_t), intent(in) :: self
       character(len=:), allocatable :: text
       integer :: slow
       text = ''
@@ -131,7 +131,7 @@ contains
 
    !> Report unsettled values, and the change needed.
    subroutine explain(self, energy)
-      class(heat_result_t), intent(inout) :: self
+      class(heat_account_t), intent(inout) :: self
       type(energy_t), intent(in) :: energy
 
       if (ieee_is_finite(energy%difference)) then
@@ -174,4 +174,4 @@ contains
       end associate
    end function warm_fields
 
-end module ehlwave_heat_result
+end module ehlwave_heat_account_result
