@@ -137,6 +137,7 @@ def _compared(case: Row, ratio: float) -> Row:
         "wall": wall_parameter(heat, film_m, c.semi_axis_a_m, u),
         "film_over_approach": film_m / (c.hertz_approach_c_m or math.nan),
         "radius_ratio_d": c.d,
+        "m": c.m,
         "film": warm_m / film_m,
         "warmth": beta * walls if ratio else 0.0,
         "inlet": warm_m / film_m * (1 - EXPANSION * mean) / thicker,
@@ -170,7 +171,7 @@ def report(folder: Path) -> None:
     table = usable(folder)
     write_rows(folder / "contacts.csv", table.to_dict("records"), digits=5)
     fold = np.random.default_rng(1).permutation(len(table)) % FOLDS
-    names = ("loading", "ratio", "wall", "film_over_approach", "radius_ratio_d")
+    names = ("loading", "ratio", "wall", "film_over_approach", "radius_ratio_d", "m")
     inlet = inlet_factor(*(table[name].to_numpy() for name in names))
     rows = [_row("film, Gupta", None, gupta(table) - table["film"].to_numpy())]
     rolls = table["ratio"] == 0

@@ -55,9 +55,16 @@ KNOWN = 0.01
 ROBUST = {"loss": "soft_l1", "f_scale": 1.0}
 ERROR_SLIP = (0.2, 1.0)
 """Slide-to-roll ratios above which the error has another share of the loss."""
-START = (0.25, 0.92, 1.0, 2.1, 6.1, 0.8, 0.3, -0.8, -1.8, 5.0)
+START = (0.25, 0.92, 1.0, 2.1, 6.1, 0.8, 0.3, -0.8, -1.8, 5.0, 0.0)
 OF_CONDITIONS = ("roelands_index", "pressure_viscosity_per_pa")
-COLUMNS = ("loading", "slide_to_roll_ratio", "wall", "film_over_approach", "radius_ratio_d")
+COLUMNS = (
+    "loading",
+    "slide_to_roll_ratio",
+    "wall",
+    "film_over_approach",
+    "radius_ratio_d",
+    "load_parameter_m",
+)
 """Input of the law."""
 
 

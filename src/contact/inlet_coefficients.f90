@@ -6,12 +6,12 @@ module ehlwave_inlet_coefficients
    implicit none (type, external)
    private
 
-   !> Coefficients c1 to c10.
-   real(dp), parameter, public :: inlet_coefficients(10) = &
-      [0.16228_dp, 0.92273_dp, 0.90864_dp, 2.2323_dp, 6.4314_dp, &
-       0.77965_dp, 0.11582_dp, -0.35718_dp, -0.89139_dp, 2.0543_dp]
+   !> Coefficients c1 to c11.
+   real(dp), parameter, public :: inlet_coefficients(11) = &
+      [0.21776_dp, 0.93042_dp, 0.94565_dp, 2.1696_dp, 6.9248_dp, 0.81289_dp, &
+       0.25734_dp, -0.28921_dp, -0.83828_dp, 1.8291_dp, 0.067384_dp]
    !> Error over the loss and known_loss, by the sliding.
-   real(dp), parameter, public :: error_share(3) = [0.20695_dp, 0.48503_dp, 1.0021_dp]
+   real(dp), parameter, public :: error_share(3) = [0.17288_dp, 0.47554_dp, 1.0339_dp]
    !> Slide-to-roll ratios |u1 - u2|/ubar above which the next share holds.
    real(dp), parameter, public :: error_slip(2) = [0.2_dp, 1.0_dp]
    !> Load parameter M of the contacts of the fit.

@@ -21,7 +21,7 @@ from ehlwave.laws.warm_films import film_error, smallest_factor
 
 Floats = NDArray[np.float64]
 
-FRICTION_COEFFICIENTS = (0.21094, 0.58557, -0.0994, 0.40404, 0.20501, 0.35691, 39.53)
+FRICTION_COEFFICIENTS = (0.21094, 0.58558, -0.099452, 0.40403, 0.2051, 0.35686, 39.566)
 """Coefficients of :func:`friction_factor`."""
 FRICTION_BAR, COLD_BAR = 0.12, 0.03
 """Relative errors of friction with and without heat: 95 % of contacts held out are within. Errors
@@ -184,7 +184,7 @@ def warmed(
     def inlet_of(heat: Heat) -> float:
         wall = wall_parameter(heat, film_m, conditions.semi_axis_a_m, u)
         warmth = loading_of(conditions, heat)
-        return float(inlet_factor(warmth, ratio, wall, over_c, conditions.d))
+        return float(inlet_factor(warmth, ratio, wall, over_c, conditions.d, conditions.m))
 
     def smallest_of(warmth: float) -> float:
         return float(smallest_factor(inlet, warmth, over_c, conditions.is_line))

@@ -5,19 +5,20 @@ with the table of ``ehlwave-case``.
 """
 
 COEFFICIENTS = (
-    0.16228,
-    0.92273,
-    0.90864,
-    2.2323,
-    6.4314,
-    0.77965,
-    0.11582,
-    -0.35718,
-    -0.89139,
-    2.0543,
+    0.21776,
+    0.93042,
+    0.94565,
+    2.1696,
+    6.9248,
+    0.81289,
+    0.25734,
+    -0.28921,
+    -0.83828,
+    1.8291,
+    0.067384,
 )
-"""Coefficients c1 to c10."""
-ERROR_SHARE = (0.20695, 0.48503, 1.0021)
+"""Coefficients c1 to c11."""
+ERROR_SHARE = (0.17288, 0.47554, 1.0339)
 """Error over the loss and known_loss, by the sliding."""
 ERROR_SLIP = (0.2, 1.0)
 """Slide-to-roll ratios |u1 - u2|/ubar above which the next share holds."""
