@@ -24,8 +24,8 @@ module ehlwave_domain_choice
    ! alpha, isoviscous, by up to 8 times.
    real(dp), parameter :: pressure_factor = 0.65_dp, flooded_pressure_share = 0.04_dp, flooded_load_share = 0.1_dp
    real(dp), parameter :: ratio_share = 0.4_dp
-   !> Of the viscosity that shear takes at the inlet edge. One contact was off by 1.6 times what it says (M = 48,
-   !> L = 15, D = 0.04, Ree-Eyring).
+   !> Factor on the viscosity lost by shear at the inlet edge. One contact exceeded it 1.6 times (M = 48, L = 15,
+   !> D = 0.04, Ree-Eyring).
    real(dp), parameter :: thinned_margin = 1.6_dp
    real(dp), parameter :: share_of_accuracy = 0.3_dp      !! for the domain, where it is chosen
    real(dp), parameter :: largest_scale = 32

@@ -9,7 +9,7 @@ module ehlwave_text_difference
 
 contains
 
-   !> Lines of `text` that differ from those of `base`, as NUMBER:LINE; all of it, after a `=`, when the numbers of
+   !> Lines of `text` that differ from lines of `base`, as NUMBER:LINE; all of it, after a `=`, when the numbers of
    !> lines differ.
    function text_difference(base, text) result(difference)
       character(len=*), intent(in) :: base, text   !! every line ended

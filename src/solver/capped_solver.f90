@@ -11,7 +11,7 @@ module ehlwave_capped_solver
 
    type, public :: capped_solver_t
       integer :: steps_left = huge(1)      !! nonlinear steps of the finest level that the case may still take
-      real(dp) :: work_left = huge(1.0_dp) !! operations left, without those of the step that exceeds
+      real(dp) :: work_left = huge(1.0_dp) !! operations left, without the last step, which exceeds
                                            !! it
       real(dp) :: thinnest = huge(1.0_dp)  !! smallest H of all that `attempt` solved, places of a continuation too,
       real(dp) :: highest = 0              !! largest P

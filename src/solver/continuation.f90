@@ -94,7 +94,7 @@ contains
       if (place < 1) then
          call conditions_from_moes(self%m*(self%goal%m/self%m)**place, self%l + (self%goal%l - self%l)*place, &
                                    self%goal%d, self%goal%alpha_per_pa, conditions, error)
-         if (allocated(error)) return   ! impossible: M and L lie within those of accepted contacts
+         if (allocated(error)) return   ! impossible: M and L lie in the accepted range
          conditions%slip_parameter = self%goal%slip_parameter
          rheology = self%goal_rheology%at_pressure(conditions%hertz_pressure_pa)
          rheology = rheology%with_stress(self%stress**(1 - place))

@@ -152,7 +152,7 @@ contains
       if (allocated(march%energy)) call pass_energy(bytes, march%energy)
    end subroutine pass_march
 
-   !> Temperatures so far for the next steps, besides those of the steady state.
+   !> Temperatures so far for the next steps, besides the steady temperatures.
    subroutine pass_energy(bytes, energy)
       type(bytes_t), intent(inout) :: bytes
       type(energy_t), intent(inout) :: energy

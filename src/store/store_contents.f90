@@ -218,7 +218,7 @@ contains
       contents%cases(place) = record
    end subroutine take_case
 
-   !> Number of a layout among those of the contents; a new layout is added.
+   !> Number of a layout among the contents' layouts; a new layout is added.
    subroutine add_layout(text, contents, layout)
       character(len=*), intent(in) :: text
       type(contents_t), intent(inout) :: contents

@@ -23,7 +23,7 @@ Floats = NDArray[np.float64]
 
 FRICTION_COEFFICIENTS = (0.21094, 0.58558, -0.099452, 0.40403, 0.2051, 0.35686, 39.566)
 """Coefficients of :func:`friction_factor`."""
-FRICTION_BAR, COLD_BAR = 0.12, 0.03
+FRICTION_BAR, COLD_BAR = 0.12, 0.029
 """Relative errors of friction with and without heat: 95 % of contacts held out are within. Errors
 of films come from :func:`ehlwave.laws.warm_films.film_error`."""
 ELLIPSE_BAR = 0.05
@@ -75,6 +75,8 @@ class Heated:
     friction_error : float or None
         Friction, relative: error of the law, and effect of errors of viscosity, pressure-viscosity
         coefficient and conductivity. The film error is added.
+    film_error_by_data, friction_error_by_data : float
+        Shares of `film_error` by the conductivity, and of `friction_error` by all data of the oil.
     rise_mid_film_k, rise_surfaces_k : float
         Rises at the centre of the contact, K; 0 where friction is not known.
     """
@@ -89,6 +91,8 @@ class Heated:
     isothermal_friction: float | None = None
     rise_mid_film_k: float = 0.0
     rise_surfaces_k: float = 0.0
+    film_error_by_data: float = 0.0
+    friction_error_by_data: float = 0.0
 
 
 def wedge(heat: Heat, slide_to_roll_ratio: float, rise_surfaces_k: float) -> float:
@@ -161,7 +165,7 @@ def sliding_film(conditions: Conditions, eyring_stress_pa: float, film_m: float)
         semi_axis_a_m=conditions.semi_axis_a_m,
         film_m=film_m,
         mean_speed_m_per_s=float(given["mean_speed_m_per_s"]),
-        slide_to_roll_ratio=2 * (conditions.slip_parameter - 1),
+        slide_to_roll_ratio=conditions.slide_to_roll_ratio,
         viscosity_pa_s=float(given["viscosity_pa_s"]),
         pressure_viscosity_per_pa=conditions.oil.pressure_viscosity_per_pa,
         roelands_index=conditions.oil.roelands_index,
@@ -177,7 +181,7 @@ def warmed(
 
     Arguments as in :func:`ehlwave.laws.heated_contact.heated`, which refuses others.
     """
-    given, ratio = dict(conditions.given), 2 * (conditions.slip_parameter - 1)
+    given, ratio = dict(conditions.given), conditions.slide_to_roll_ratio
     u, error = float(given["mean_speed_m_per_s"]), heat.oil_conductivity_error
     over_c = film_m / float(conditions.hertz_approach_c_m or np.nan)
 
@@ -227,16 +231,19 @@ def warmed(
     by_shape = 0.0 if conditions.is_line else ELLIPSE_BAR
     if over_c > THICK_FILM:
         by_shape += THICK_BAR
+    friction_by_data = error_by_data(conditions, case_warm, friction, error)
     return Heated(
         film,
         inlet,
         film * smallest_of(warmth),
         *errors_of(warmth),
         warm.friction * factor(warm, film, loading),
-        FRICTION_BAR + by_shape + error_by_data(conditions, case_warm, friction, error),
+        FRICTION_BAR + by_shape + friction_by_data,
         cold.friction * factor(cold, 1.0, 0.0),
         warm.rise_mid_film_k,
         warm.rise_surfaces_k,
+        by_data,
+        friction_by_data,
     )
 
 
