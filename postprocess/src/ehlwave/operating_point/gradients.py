@@ -25,7 +25,7 @@ PROGRAM_RESULTS = {
 
 LAMBDA = "lambda_ratio"
 STEP = 1e-3
-"""Of ln(key) in differences of laws."""
+"""Step of ln(key) in differences of laws."""
 DEFAULTS = {"pressure_viscosity_per_pa": 2.2e-8, "roelands_index": 0.68}
 KEYS = (
     *("radius_x_m", "radius_y_m", "reduced_modulus_pa", "load_n", "load_n_per_m"),
