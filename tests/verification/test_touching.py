@@ -207,7 +207,7 @@ class Refusals(FolderTest):
         self.refuse("amplitude_m", groups_of(128, waviness={"orientation": "transverse", "wavelength_over_a": 0.5}))
         self.refuse("remove share", groups_of(128, slip=1, waviness=WAVE, share=0.5))
         self.refuse("response", groups_of(128, slip=1, waviness=WAVE | {"response": "harmonic"}))
-        ball = Ball.GROUPS | {"grid": Ball.GROUPS["grid"] | {"cells_x": 128}}
+        ball = Ball.GROUPS | {"grid": Ball.GROUPS["grid"] | {"cells_x": 192}}
         self.refuse("96 by 96", ball)
         self.refuse("oil_over_flooded", groups_of(128) | {"inlet": {"oil_over_flooded": 1}})
 
