@@ -1,6 +1,6 @@
 !> The plan of one case without its effects: what is computed, on which grid, in how many steps, and why.
 module ehlwave_bare_plan
-   use ehlwave_accuracy_model, only: expected_film_error, spike_factor
+   use ehlwave_accuracy_model, only: expected_film_error, spike_factor, wave_x_factor
    use ehlwave_case_files, only: case_file_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_error_parts, only: error_parts_t
@@ -63,6 +63,7 @@ module ehlwave_bare_plan
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
    contains
       procedure :: expected_film_mesh_error
+      procedure :: wave_mesh_error
       procedure :: model_margin
       procedure :: model_ratio_error
       procedure :: least_ratio_error
@@ -86,6 +87,14 @@ contains
       class(bare_plan_t), intent(in) :: self
       expected_film_mesh_error = self%steepness*expected_film_error(self%conditions, self%hx)
    end function expected_film_mesh_error
+
+   !> Relative error of Ad/Ai by the points on waves along X: a part of its own with the fitted scheme.
+   pure real(dp) function wave_mesh_error(self)
+      class(bare_plan_t), intent(in) :: self
+      wave_mesh_error = 0
+      if (self%is_fitted .and. self%resolution%points_x > 0) &
+         wave_mesh_error = wave_x_factor*(self%surfaces%largest_slip()/self%resolution%points_x)**2
+   end function wave_mesh_error
 
    !> The factor of errors that the plan expects, where they stand in for an estimate: models are right within a factor
    !> of 2 or 3, and were fitted to grids with hY up to 2 hX and to contacts whose pressure spike is below the Hertz
@@ -129,8 +138,10 @@ contains
       real(dp), intent(in) :: film_error      !! relative, of the smooth H(0,0) of the case, by its mesh
       ! of a fitted scheme more: it goes up and down with the mesh (M = 299, longitudinal: 0.2843, 0.2858, 0.2833)
       real(dp), parameter :: least_share = 0.8_dp, least_share_fitted = 1.2_dp
-      least_ratio_error = merge(least_share_fitted, least_share, self%is_fitted)*self%expected%mesh* &
-                          max(1.0_dp, film_error/self%expected_film_mesh_error())
+      associate (by_waves => self%wave_mesh_error())
+         least_ratio_error = merge(least_share_fitted, least_share, self%is_fitted)*(by_waves &
+                             + (self%expected%mesh - by_waves)*max(1.0_dp, film_error/self%expected_film_mesh_error()))
+      end associate
    end function least_ratio_error
 
    !> The least relative error of Ad/Ai, or of a response, of a light contact, whose film is as thick as the bodies

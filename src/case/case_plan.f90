@@ -13,7 +13,7 @@ module ehlwave_case_plan
    use ehlwave_plan_effort, only: cap_work, expect
    use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_march, run_standing
    use ehlwave_resolution, only: judge_resolution
-   use ehlwave_scheme_choice, only: is_fitted
+   use ehlwave_scheme_choice, only: is_fitted, least_work_step
    use ehlwave_surface_plan, only: plan_surfaces
    use ehlwave_text, only: to_text
    use ehlwave_thinning, only: new_thinning
@@ -66,8 +66,10 @@ contains
       if (allocated(error)) return
       plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%surfaces%is_symmetric() &
                      .and. plan%effects%are_even()
+      if (case%marches() .and. case%cells_x == 0 .and. case%has_ratio()) &
+         plan%cells_per_step = least_work_step(copy, plan%conditions, plan%is_fitted)
       call choose_grid(copy, plan%conditions, plan%surfaces, plan%is_fitted, plan%steepness, plan%effects, &
-                       plan%cells_x, plan%cells_y, plan%grid_reason)
+                       plan%cells_per_step, plan%cells_x, plan%cells_y, plan%grid_reason)
       plan%hx = (plan%x_max - plan%x_min)/plan%cells_x
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
       plan%deformation = merge('mlmi', 'fft ', case%deformation == 'mlmi')   ! 'auto': the FFT, measured

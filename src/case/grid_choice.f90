@@ -1,11 +1,13 @@
 !> The grid of a case: cells as given, or the smallest of a list of sizes that resolves inlet sweep and waves.
 module ehlwave_grid_choice
-   use ehlwave_accuracy_model, only: largest_mesh, points_for, wave_x_factor
+   use ehlwave_accuracy_model, only: expected_long_step_error, expected_step_error, fitted_share, largest_mesh, &
+      points_for, wave_x_factor
    use ehlwave_case_definition, only: case_t, roughness_t, usual_largest_cells
    use ehlwave_conditions, only: conditions_t
    use ehlwave_effects_plan, only: effects_plan_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
+   use ehlwave_linear_range, only: expected_nonlinearity
    use ehlwave_resolution, only: coarsest_inlet, coarsest_side, fewest_points_per_wave, &
       inlet_length, times_as_wide, wanted_inlet, wanted_line_inlet, wanted_points_per_wave
    use ehlwave_surfaces, only: surfaces_t
@@ -14,22 +16,37 @@ module ehlwave_grid_choice
    private
    public :: accurate_mesh, choose_grid, formula_ratio, smallest_size
 
-   integer, parameter :: sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
+   !> Waves that a mesh has to resolve.
+   type, public :: pattern_t
+      logical :: has_ratio = .false.     !! the accuracy applies to Ad/Ai
+      logical :: moves = .false.
+      real(dp) :: waves = 0              !! largest wave number over 2 pi along X, times the slip above 1
+      real(dp) :: slip = 1               !! largest speed over the mean one
+   end type pattern_t
+
+   !> Products of 2, 3, 5 and 7 that can be halved four times: transforms and multigrid are fast on them.
+   integer, parameter :: sizes(25) = [64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512, 640, 768, 896, &
+      1024, 1280, 1536, 2048, 2560, 3072, 4096, 6144, 8192]
    ! Shares of the accuracy: mesh in X, waves along Y.
    real(dp), parameter :: slip_without_formula = 0.5_dp   !! |S - 1| from which the formula for pure rolling tells
                                                           !! nothing
    real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp
+   !> Share of the mesh of what the other parts leave to a march: its estimate has a margin. Other parts may take
+   !> `largest_others`: with more no mesh would do.
+   real(dp), parameter :: share_of_march = 0.6_dp, largest_others = 0.6_dp
 
 contains
 
    !> Cells of the whole domain; one along Y for a line contact.
-   subroutine choose_grid(case, conditions, surfaces, is_fitted, steepness, effects, cells_x, cells_y, reason)
+   subroutine choose_grid(case, conditions, surfaces, is_fitted, steepness, effects, cells_per_step, cells_x, &
+                          cells_y, reason)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(surfaces_t), intent(in) :: surfaces
       logical, intent(in) :: is_fitted         !! scheme
       real(dp), intent(in) :: steepness        !! of the inlet, see `case_plan_t`
       type(effects_plan_t), intent(in) :: effects
+      integer, intent(in) :: cells_per_step    !! dT/hX of a march, 1 for shorter steps and without a march
       integer, intent(out) :: cells_x, cells_y
       character(len=:), allocatable, intent(out) :: reason   !! why so many, for people
       real(dp) :: points
@@ -50,7 +67,7 @@ contains
 
       subroutine choose_x()
          character(len=:), allocatable :: why
-         real(dp) :: inlet, length, mesh, wanted, waves   ! waves: wave numbers over 2 pi, the largest
+         real(dp) :: each, inlet, length, mesh, wanted, waves   ! waves: wave numbers over 2 pi, the largest
          integer :: n
 
          cells_x = case%cells_x
@@ -69,17 +86,19 @@ contains
             associate (wave => surfaces%list(n))
                if (.not. wave%wavelength_x > 0) cycle
                waves = max(waves, max(1.0_dp, wave%slip)/wave%wavelength_x)
-               if (points*length*max(1.0_dp, wave%slip)/wave%wavelength_x <= wanted) cycle
-               wanted = points*length*max(1.0_dp, wave%slip)/wave%wavelength_x
-               why_x = 'for '//to_text(points, 3)//' points per wave'
+               each = points
+               if (wave%moves()) each = max(each, fewest_points_per_wave*cells_per_step)
+               if (each*length*max(1.0_dp, wave%slip)/wave%wavelength_x <= wanted) cycle
+               wanted = each*length*max(1.0_dp, wave%slip)/wave%wavelength_x
+               why_x = 'for '//to_text(each, 3)//' points per wave'
             end associate
          end do
          call effects%limit_mesh(case%accuracy, surfaces%is_rough(), mesh, why)
          if (length/mesh > wanted) why_x = why
          wanted = max(wanted, length/mesh)
          if (case%accuracy > 0) then
-            mesh = accurate_mesh(case, conditions, surfaces%is_rough() .and. .not. surfaces%is_measured(), &
-                                 surfaces%moves(), merge(waves, 0.0_dp, is_fitted), steepness)
+            mesh = accurate_mesh(case, conditions, pattern_t(surfaces%is_rough() .and. .not. surfaces%is_measured(), &
+               surfaces%moves(), waves, surfaces%largest_slip()), steepness, is_fitted, cells_per_step)
             if (length/mesh > wanted) then
                wanted = length/mesh
                why_x = 'for an accuracy of '//to_text(case%accuracy, 3)
@@ -121,18 +140,56 @@ contains
    end subroutine choose_grid
 
    !> The largest hX for the accuracy that a case asks for, by its models of the error.
-   pure real(dp) function accurate_mesh(case, conditions, has_waves, moves, waves, steepness)
+   pure real(dp) function accurate_mesh(case, conditions, pattern, steepness, is_fitted, cells_per_step)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
-      logical, intent(in) :: has_waves, moves    !! whether it is about Ad/Ai, and its pattern moves
-      real(dp), intent(in) :: waves              !! largest wave number over 2 pi along X of a fitted scheme, else 0
+      type(pattern_t), intent(in) :: pattern
       real(dp), intent(in) :: steepness          !! of the inlet for the scheme, see `case_plan_t`
+      logical, intent(in) :: is_fitted           !! scheme
+      integer, intent(in) :: cells_per_step      !! dT/hX, see `choose_grid`
+      integer, parameter :: halvings = 30
+      real(dp) :: left, ratio, share, step       ! share: of the mesh without the error of longer steps
+      integer :: n
+
       accurate_mesh = largest_mesh(conditions, case%accuracy)
-      if (has_waves) accurate_mesh = largest_mesh(conditions, share_of_mesh*case%accuracy, &
-                                                  formula_ratio(case, conditions, moves), moves)
+      left = mesh_room(case)
+      ratio = 1
+      if (pattern%has_ratio) then
+         ratio = formula_ratio(case, conditions, pattern%moves)
+         accurate_mesh = largest_mesh(conditions, left, ratio, pattern%moves)
+      end if
       accurate_mesh = accurate_mesh/sqrt(steepness)
-      if (waves > 0) accurate_mesh = 1/sqrt(1/accurate_mesh**2 + waves**2*wave_x_factor/(share_of_mesh*case%accuracy))
+      if (pattern%waves > 0 .and. is_fitted) &
+         accurate_mesh = 1/sqrt(1/accurate_mesh**2 + (pattern%slip*pattern%waves)**2*wave_x_factor/left)
+      if (.not. pattern%has_ratio .or. cells_per_step <= 1) return
+      share = 0
+      step = 1
+      do n = 1, halvings
+         step = 0.5_dp*step
+         if ((share + step)**2 + by_steps((share + step)*accurate_mesh)/left <= 1) share = share + step
+      end do
+      accurate_mesh = share*accurate_mesh
+
+   contains
+
+      !> Error by the time steps on a mesh.
+      pure real(dp) function by_steps(hx)
+         real(dp), intent(in) :: hx
+         real(dp) :: by_oil      ! steepness
+         by_oil = steepness/merge(fitted_share, 1.0_dp, is_fitted)
+         by_steps = expected_long_step_error(conditions, ratio, hx*sqrt(by_oil), cells_per_step, &
+                                             1/(max(pattern%waves, tiny(1.0_dp))*cells_per_step*hx), is_fitted)
+      end function by_steps
+
    end function accurate_mesh
+
+   !> Error of Ad/Ai that an accuracy leaves to the mesh and to the steps that follow it.
+   pure real(dp) function mesh_room(case)
+      type(case_t), intent(in) :: case
+      mesh_room = share_of_mesh*case%accuracy
+      if (case%marches() .and. case%has_ratio()) mesh_room = share_of_march*(case%accuracy &
+         - min(largest_others*case%accuracy, expected_nonlinearity(case) + expected_step_error(case%step_tolerance)))
+   end function mesh_room
 
    !> The smallest of the usual numbers of cells that is enough, the largest allowed if none is.
    pure integer function smallest_size(wanted, largest)

@@ -114,6 +114,7 @@ contains
    subroutine choose_for_accuracy(input, list)
       type(case_input_t), intent(inout) :: input
       type(key_list_t), intent(in) :: list
+      real(dp), parameter :: loosest_step_tolerance = 1e-3_dp
       type(case_t) :: usual
 
       associate (case => input%case)
@@ -122,7 +123,7 @@ contains
          if (is_free('time_step_over_cell')) case%time_step_over_cell = 0
          ! with truncated edges cases are as before errors had parts
          if (is_free('settling_periods') .and. case%edges == 'flooded') case%settling_periods = 2
-         if (is_free('step_tolerance')) case%step_tolerance = min(usual%step_tolerance, 0.1_dp*case%accuracy)
+         if (is_free('step_tolerance')) case%step_tolerance = min(loosest_step_tolerance, 0.05_dp*case%accuracy)
          if (is_free('tolerance')) case%tolerance = min(usual%tolerance, 1e-3_dp*case%accuracy)
       end associate
 

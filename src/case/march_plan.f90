@@ -3,8 +3,11 @@ module ehlwave_march_plan
    use ehlwave_accuracy_model, only: expected_long_step_error
    use ehlwave_case_definition, only: case_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_grid_choice, only: formula_ratio
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t, run_march
+   use ehlwave_resolution, only: fewest_points_per_wave
+   use ehlwave_scheme_choice, only: longest_step, takes_long_steps
    use ehlwave_surface_plan, only: surface_times
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -13,7 +16,6 @@ module ehlwave_march_plan
 
    integer, parameter :: most_steps = 1000000
    real(dp), parameter :: share_of_steps = 0.2_dp    !! of the accuracy, for steps longer than hX
-   real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
    real(dp), parameter :: load_time = 1              !! T more that the film takes to follow a load step at T = 0
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
@@ -73,22 +75,21 @@ contains
       plan%first_sample = ceiling(settled/plan%dt - 1e-9_dp)
    end subroutine plan_march
 
-   !> dT/hX for the accuracy asked for: 2 for waves of at least 64 mesh sizes, where it adds little error (measured:
-   !> lambda = 2 a on 128 cells, 33 to 62 per cent of the GMRES steps of dT = hX), else 1: for shorter waves
-   !> longer steps save nothing. The linear response is that of steps of at most one cell. The mesh of a fitted scheme
-   !> is as wide as the inlet allows, and longer steps are too long for it (M = 3000, D = 1, lambda = a, 192 cells, 24
-   !> steps per wave: Ad/Ai is 22 per cent off).
-   pure integer function chosen_step(case, plan)
+   !> dT/hX on cells that are given, or that measured heights have chosen: that of the least work where it resolves the
+   !> shortest wave and its error is a small share of the accuracy.
+   integer function chosen_step(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      real(dp) :: steps   ! per wave with dT = 2 hX
+      real(dp) :: ratio, steps   ! steps: per wave
 
-      chosen_step = 1
-      if (.not. plan%surfaces%moves() .or. plan%responds .or. plan%is_periodic .or. plan%is_fitted .or. &
-         case%load_balance /= 'force_balance') return
-      steps = plan%surfaces%shortest_period()/(2*plan%hx)
-      if (steps < fewest_long_steps) return
-      if (expected_long_step_error(2, steps) <= share_of_steps*case%accuracy) chosen_step = 2
+      chosen_step = plan%cells_per_step
+      if (chosen_step > 1 .or. .not. takes_long_steps(case)) return
+      steps = plan%surfaces%shortest_period()/(longest_step*plan%hx)
+      if (steps < fewest_points_per_wave) return
+      ratio = 1
+      if (case%has_ratio()) ratio = formula_ratio(case, plan%conditions, plan%surfaces%moves())
+      if (expected_long_step_error(plan%conditions, ratio, plan%hx*sqrt(plan%thinning%steepness), longest_step, steps, &
+                                   plan%is_fitted) <= share_of_steps*case%accuracy) chosen_step = longest_step
    end function chosen_step
 
 end module ehlwave_march_plan

@@ -1,12 +1,13 @@
 !> Errors and work to expect of a plan, and the cap on its work.
 module ehlwave_plan_effort
    use ehlwave_accuracy_model, only: expected_long_step_error, expected_ratio_error, &
-      expected_step_error, fitted_share, steady_work_units, step_work_units, wave_x_factor
+      expected_step_error, fitted_share, steady_work_units, step_work_units
    use ehlwave_case_definition, only: case_t
    use ehlwave_grid_choice, only: formula_ratio
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: expected_nonlinearity
    use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_march, run_standing
+   use ehlwave_scheme_choice, only: long_step_work
    implicit none (type, external)
    private
    public :: cap_work, expect
@@ -15,7 +16,8 @@ module ehlwave_plan_effort
    !> at which it does is finished.
    real(dp), parameter, public :: most_work = 10
    real(dp), parameter :: share_of_most = 0.8_dp
-   real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
+   real(dp), parameter :: estimate_cost = 0.15_dp    !! of the coarser grids of a case, whose steps are dT = hX, over
+                                                     !! that of a march with such steps
    real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain and the change of the
                                                      !! mean; measured: 35 to 80
    real(dp), parameter :: line_response_work_units = 250   !! the same of a line contact
@@ -57,10 +59,11 @@ contains
                                                    formula_ratio(case, plan%conditions, plan%surfaces%moves()), &
                                                    plan%hx*sqrt(merge(fitted_share, 1.0_dp, plan%is_fitted)), &
                                                    plan%resolution%points_y, 1, samples, 0.0_dp)*plan%thinning%steepness
-         if (plan%is_fitted .and. plan%resolution%points_x > 0) &
-            plan%expected%mesh = plan%expected%mesh + wave_x_factor/plan%resolution%points_x**2
+         plan%expected%mesh = plan%expected%mesh + plan%wave_mesh_error()
          call plan%effects%expect_ratio_error(plan%expected)
-         if (samples > 0) plan%expected%time = expected_long_step_error(plan%cells_per_step, samples)
+         if (samples > 0) plan%expected%time = expected_long_step_error(plan%conditions, &
+            formula_ratio(case, plan%conditions, plan%surfaces%moves()), plan%hx*sqrt(plan%thinning%steepness), &
+            plan%cells_per_step, samples, plan%is_fitted)
          if (samples > 0) plan%expected%algebraic = expected_step_error(step_tolerance)
          if (plan%kind == run_march .or. plan%kind == run_standing) plan%expected%amplitude = &
             expected_nonlinearity(case)
@@ -74,7 +77,8 @@ contains
          steady_cost = merge(petsc_cost, 1.0_dp, case%method == 'petsc')
          call plan%effects%multiply_cost(steady_cost, steps_cost)
          if (plan%is_fitted) steady_cost = fitted_cost*steady_cost
-         plan%expected_work_units = (1 + plan%phases*phase_cost(case%amplitude_over_film))*steady*steady_cost &
+         plan%expected_work_units = (1 + plan%phases*phase_cost(min(1.0_dp, &
+            case%amplitude_over_film)))*steady*steady_cost &
                                     + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost
       end associate
       if (case%oil%shear_limit_over_pressure > 0) plan%expected_work_units = plan%expected_work_units* &
@@ -85,7 +89,8 @@ contains
       if (.not. (plan%is_half .or. plan%conditions%is_line())) plan%expected_work_units = 2*plan%expected_work_units
       plan%work_with_estimates = plan%expected_work_units
       if (plan%surfaces%is_rough() .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
-         plan%work_with_estimates = cost_of_estimate*plan%expected_work_units
+         plan%work_with_estimates = (1 + estimate_cost*merge(1.0_dp, 1/long_step_work, plan%cells_per_step == 1)) &
+                                    *plan%expected_work_units
    end subroutine expect
 
    !> Work of a steady state with a standing pattern, found from the phase before, over that of the smooth one. Measured

@@ -15,6 +15,7 @@ module ehlwave_surfaces
       procedure :: is_symmetric
       procedure :: moves
       procedure :: frequency
+      procedure :: largest_slip
       procedure :: shortest_period
       procedure :: longest_period
       procedure :: repeat_period
@@ -61,6 +62,12 @@ contains
       integer :: n
       moves = any([(self%list(n)%moves(), n=1, size(self%list))])
    end function moves
+
+   !> Largest speed of a surface or of the oil, over the mean speed.
+   pure real(dp) function largest_slip(self)
+      class(surfaces_t), intent(in) :: self
+      largest_slip = max(1.0_dp, maxval(self%list%slip))
+   end function largest_slip
 
    !> Angular frequency of the waves that results are about, in units of 1/T; 0 where they do not move, and of a list
    !> not yet made.

@@ -8,6 +8,7 @@ module ehlwave_effect_keys
    integer, parameter, public :: by_fas = 1            !! FAS multigrid, chosen by the plan
    integer, parameter, public :: by_fitted_scheme = 2  !! fitted scheme of the Reynolds equation
    integer, parameter, public :: by_second_order = 3   !! mean film of small waves, to second order
+   integer, parameter, public :: by_long_steps = 4     !! time steps longer than hX, chosen by the plan
 
    type, abstract, public :: effect_keys_t
    contains

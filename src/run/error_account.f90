@@ -56,7 +56,6 @@ contains
       if (result%amplitude_error_basis == 'model') &
          parts%mesh = plan%model_ratio_error(result%max_pressure, result%central_film_error)
       if (result%amplitude_error_basis == 'coarse_grid') &
-         ! coarser grids take longer steps
          parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)
       if (ieee_is_finite(result%harmonic%ratio) .and. case%effects%changing() == '') &
          parts%amplitude = abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1)

@@ -17,6 +17,7 @@ module ehlwave_estimated_case
    use ehlwave_resolution, only: telling_inlet, telling_points_per_wave, times_as_wide
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_interrupted, status_over_budget, status_pending
+   use ehlwave_touching_case, only: run_touching
    use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
    private
@@ -60,6 +61,10 @@ contains
       real(dp) :: by_effects, estimate, seconds
       integer :: n, status
 
+      if (case%effects%touching%is_given()) then
+         call run_touching(case, plan, monitor, result)
+         return
+      end if
       call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
@@ -92,7 +97,8 @@ contains
          ! the response to the same waves, where it is there, has no better one
          if (ieee_is_finite(result%harmonic%error)) estimate = max(estimate, result%response_error())
          result%amplitude_ratio_error = estimate
-         if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
+         if (plan%steps > 0) result%amplitude_ratio_error = estimate + plan%expected%time &
+            + expected_step_error(case%step_tolerance)
          result%amplitude_error_basis = 'coarse_grid'
       end if
    end subroutine run_estimated_case
@@ -134,7 +140,7 @@ contains
       if (plan%is_fitted) coarse_case%scheme = 'fitted'
       coarse_case%accuracy = 0                    ! is that of the case itself
       if (case%response /= 'periodic') coarse_case%response = 'transient'   ! others have their own estimate
-      coarse_case%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
+      coarse_case%time_step_over_cell = 1.0_dp/plan%steps_per_cell   ! long steps have a part of their own
       cells = [plan%cells_x, plan%cells_y]
       if (plan%conditions%is_line()) cells(2) = cells(1)
       do factor = 2, 4, 2

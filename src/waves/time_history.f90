@@ -7,6 +7,7 @@ module ehlwave_time_history
    use ehlwave_kinds, only: dp
    use ehlwave_state, only: state_t
    use ehlwave_threads, only: is_shared
+   use ehlwave_transport, only: steady_transport, transport_t
    implicit none (type, external)
    private
 
@@ -15,6 +16,9 @@ module ehlwave_time_history
       real(dp), allocatable :: f(:, :, :)      !! rho H of the steps before, (0:nx, 0:ny, steps); of a starved contact
                                                !! the data of `carry_content`
       real(dp) :: approach(3) = 0              !! Delta of the steps before
+      !> Steady difference of the mesh less that of long steps, for the steady film, (0:nx, 0:ny), theory eq. (D14);
+      !> not allocated for steps of at most one cell
+      real(dp), allocatable, private :: steady_defect(:, :)
    contains
       procedure :: begin
       procedure :: take
@@ -38,7 +42,35 @@ contains
          call self%remember(problem, given, state)
       end do
       self%approach = state%delta
+      if (allocated(self%steady_defect)) deallocate (self%steady_defect)
+      if (given%transport%cells_per_step > 1 .and. .not. allocated(given%supply)) &
+         self%steady_defect = defect_of(problem%grid, given%transport, self%f)
    end subroutine begin
+
+   !> Steady difference of the mesh less the difference along the characteristic, both of a film that does not change:
+   !> theory eq. (D14).
+   pure function defect_of(grid, transport, history) result(defect)
+      type(grid_t), intent(in) :: grid
+      type(transport_t), intent(in) :: transport   !! of the march
+      real(dp), intent(in) :: history(0:, 0:, :)   !! f of the steady state, (0:nx, 0:ny, n)
+      real(dp) :: defect(0:grid%nx, 0:grid%ny)
+      type(transport_t) :: marched, steady
+      real(dp), dimension(0:grid%nx) :: of_march, of_steady
+      integer :: j
+
+      marched = transport
+      steady = steady_transport(grid)
+      do j = 0, grid%ny
+         call marched%carry_row(grid, j, history(:, j, :))
+         of_march = -marched%carried(:, j)
+         of_steady = 0
+         call marched%subtract(grid%nx, history(:, j, 1), of_march)
+         call steady%subtract(grid%nx, history(:, j, 1), of_steady)
+         defect(:, j) = of_march - of_steady
+      end do
+      defect(0, :) = 0
+      defect(grid%nx, :) = 0
+   end function defect_of
 
    !> Take the history of a contact through several states.
    subroutine take(self, problem, states)
@@ -90,6 +122,7 @@ contains
          call given%transport%carry_content(grid, self%f)
       else
          call given%transport%carry(grid, self%f)
+         if (allocated(self%steady_defect)) given%transport%carried = given%transport%carried + self%steady_defect
       end if
       call given%load%carry(self%approach)
    end subroutine carry

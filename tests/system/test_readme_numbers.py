@@ -421,7 +421,7 @@ def peers():
 
 
 MANUAL = "postprocess/manual/explanation"
-CLAIMS = {"README.md": top_level, "postprocess/manual/case.md": one_contact, "postprocess/README.md": postprocess, "postprocess/record/README.md": record,
+CLAIMS = {"README.md": top_level, "postprocess/manual/case.md": one_contact, "postprocess/manual/measured_surfaces.md": postprocess, "postprocess/record/README.md": record,
           f"{MANUAL}/accuracy.md": lambda: [*speeds(), *errors_and_costs()], f"{MANUAL}/atlas.md": atlas,
           f"{MANUAL}/roughness.md": roughness, f"{MANUAL}/paper.md": lambda: [*study(), *validation(), *better_formula(), *rolling()],
           f"{MANUAL}/slip.md": two_waves, f"{MANUAL}/fitted_scheme.md": heavy_loads,

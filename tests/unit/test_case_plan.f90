@@ -198,8 +198,8 @@ contains
       case%cells_x = 0
       case%cells_y = 0
       plan = plan_of(test, case)
-      call test%check(plan%cells_x == 256, '16 points per wave of 0.3: '//to_text(plan%cells_x))
-      call test%check(plan%cells_y == 128, 'hY <= 2 hX: '//to_text(plan%cells_y))
+      call test%check(plan%cells_x == 224, '16 points per wave of 0.3: '//to_text(plan%cells_x))
+      call test%check(plan%cells_y == 112, 'hY <= 2 hX: '//to_text(plan%cells_y))
       call test%check(plan%resolution%is_resolved, 'a chosen grid resolves')
       case = sample('isotropic', 1.0_dp)
       case%radius_ratio_d = 0.04_dp

@@ -58,11 +58,7 @@ program test_scheme_choice
    case%lubricant_parameter_l = 2.5_dp
    fitted = plan_of(test, case)
    call test%check(fitted%resolution%is_resolved, 'an inlet that is short for its accuracy')
-   case = with_waves(3000.0_dp, 1.0_dp)
-   case%response = 'transient'
-   case%time_step_over_cell = 0
-   fitted = plan_of(test, case)
-   call test%check(fitted%is_fitted .and. fitted%cells_per_step == 1, 'steps as short as the mesh')
+   call check_marches()
    call test%finish()
 
 contains
@@ -87,6 +83,37 @@ contains
       case%wavelength_over_a = wavelength
       case%response = 'harmonic'
    end function with_waves
+
+   !> Marches take the scheme and the step of the least work; keys that are given stay.
+   subroutine check_marches()
+      type(case_t) :: case
+      type(case_plan_t) :: averaged, one, plan
+
+      case = with_waves(100.0_dp, 0.5_dp)
+      case%response = 'transient'
+      case%time_step_over_cell = 0
+      plan = plan_of(test, case)
+      call test%check(plan%is_fitted .and. plan%cells_per_step == 2, 'a march: fitted, steps of two cells')
+      call test%check(plan%expected_error <= case%accuracy .and. plan%expected%time > 0, 'with its error')
+      call test%check(plan%resolution%is_resolved .and. plan%resolution%samples >= 8, 'steps resolve the wave')
+      case%scheme = 'averaged'
+      averaged = plan_of(test, case)
+      call test%check(.not. averaged%is_fitted, 'a scheme that was given')
+      call test%check(plan%expected_work() < 0.5_dp*averaged%expected_work(), 'less work')
+      case%scheme = 'auto'
+      case%time_step_over_cell = 1
+      one = plan_of(test, case)
+      call test%check(one%cells_per_step == 1 .and. .not. one%expected%time > 0, 'a step that was given')
+      call test%check(plan%expected_work() < one%expected_work(), 'longer steps take less work')
+      case%time_step_over_cell = 0
+      case%response = 'both'
+      plan = plan_of(test, case)
+      call test%check(plan%cells_per_step == 1, 'steps of the linear response')
+      case%response = 'transient'
+      case%radius_ratio_d = 0
+      plan = plan_of(test, case)
+      call test%check(plan%is_fitted .and. plan%cells_per_step == 1, 'a line contact: short steps')
+   end subroutine check_marches
 
    subroutine check(given, scheme, name)
       type(case_t), intent(in) :: given

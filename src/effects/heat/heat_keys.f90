@@ -1,7 +1,7 @@
 !> The keys of group &heat: how oil and bodies conduct and store heat. With them temperatures are found.
 module ehlwave_heat_keys
    use ehlwave_case_key, only: key_t
-   use ehlwave_effect_keys, only: by_fas, by_fitted_scheme, effect_keys_t
+   use ehlwave_effect_keys, only: by_fas, by_fitted_scheme, by_long_steps, effect_keys_t
    use ehlwave_film_levels, only: most_levels
    use ehlwave_heat_data, only: body_heat_t, carried, frozen, heat_data_t
    use ehlwave_key_list, only: key_list_t
@@ -41,7 +41,7 @@ contains
 
    pure logical function refuses(method)
       integer, intent(in) :: method
-      refuses = any(method == [by_fas, by_fitted_scheme])
+      refuses = any(method == [by_fas, by_fitted_scheme, by_long_steps])
    end function refuses
 
    pure function changing(self) result(name)

@@ -1,7 +1,7 @@
 !> Keys of a contact with less oil than it could take.
 module ehlwave_starvation_keys
    use ehlwave_case_key, only: key_t
-   use ehlwave_effect_keys, only: by_fas, by_fitted_scheme, by_second_order, effect_keys_t
+   use ehlwave_effect_keys, only: by_fas, by_fitted_scheme, by_long_steps, by_second_order, effect_keys_t
    use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
    use ehlwave_number_table, only: path_length
@@ -64,7 +64,7 @@ contains
 
    pure logical function refuses(method)
       integer, intent(in) :: method
-      refuses = any(method == [by_fas, by_fitted_scheme, by_second_order])
+      refuses = any(method == [by_fas, by_fitted_scheme, by_second_order, by_long_steps])
    end function refuses
 
    pure function changing(self) result(name)
