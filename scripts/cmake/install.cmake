@@ -36,6 +36,15 @@ if(NOT CMAKE_CROSSCOMPILING)
     list(APPEND pages ${page})
   endforeach()
   set(names ${programs})
+  find_package(Python3 3.10 QUIET COMPONENTS Interpreter)
+  if(Python3_Interpreter_FOUND)
+    set(page ${made}/ehlwave-accept.1)
+    add_custom_command(OUTPUT ${page} ${made}/ehlwave-accept
+      COMMAND sh ${CMAKE_SOURCE_DIR}/scripts/cmake/describe ${CMAKE_SOURCE_DIR}/scripts/accept ${PROJECT_VERSION} ${made} ehlwave-accept
+      DEPENDS scripts/accept scripts/cmake/describe scripts/cmake/manual.awk scripts/cmake/completion.awk VERBATIM)
+    list(APPEND pages ${page})
+    list(APPEND names ehlwave-accept)
+  endif()
   if(NOT DEFINED SKBUILD)
     set(page ${made}/run-sweep.1)
     add_custom_command(OUTPUT ${page} ${made}/run-sweep
@@ -48,7 +57,6 @@ if(NOT CMAKE_CROSSCOMPILING)
   install(FILES ${pages} DESTINATION ${shared}/man/man1 COMPONENT core)
   list(TRANSFORM names PREPEND ${made}/ OUTPUT_VARIABLE completions)
   install(FILES ${completions} DESTINATION ${shared}/bash-completion/completions COMPONENT core)
-  find_package(Python3 3.10 QUIET COMPONENTS Interpreter)
   if(Python3_Interpreter_FOUND AND NOT DEFINED SKBUILD)
     set(maker ${CMAKE_SOURCE_DIR}/postprocess/manual/command_pages.py)
     file(GLOB_RECURSE parsers CONFIGURE_DEPENDS postprocess/src/ehlwave/cli/__init__.py postprocess/src/ehlwave/cli/*.py)
@@ -84,6 +92,11 @@ install(FILES ${made}/modulefile DESTINATION ${modules}/ehlwave RENAME ${PROJECT
 
 install(DIRECTORY postprocess/src/ehlwave postprocess/src/ehlwave_post DESTINATION ${EHLWAVE_INSTALL_PYTHONDIR} COMPONENT python
         FILES_MATCHING PATTERN "*.py" PATTERN "*.nc" PATTERN "*.json" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+# Metadata: `ehlwave --version` and packaging tools find the version there.
+file(WRITE ${made}/METADATA "Metadata-Version: 2.1\nName: ehlwave\nVersion: ${PROJECT_VERSION}\n")
+file(WRITE ${made}/INSTALLER "cmake\n")
+install(FILES ${made}/METADATA ${made}/INSTALLER
+        DESTINATION ${EHLWAVE_INSTALL_PYTHONDIR}/ehlwave-${PROJECT_VERSION}.dist-info COMPONENT python)
 file(RELATIVE_PATH python_folder ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_PREFIX}/${EHLWAVE_INSTALL_PYTHONDIR})
 file(READ postprocess/pyproject.toml python_packages)
 string(REGEX REPLACE ".*\ndependencies = \\[([^]]*)\\].*" "\\1" python_packages "${python_packages}")

@@ -6,7 +6,8 @@ module ehlwave_case_completion
    use ehlwave_effects_plan, only: effects_plan_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
-   use ehlwave_case_roughness, only: check_line_roughness, check_response, complete_roughness
+   use ehlwave_case_roughness, only: check_line_roughness, check_response, complete_amplitude, &
+      complete_roughness
    use ehlwave_method_choice, only: choose_method
    use ehlwave_sensitivity_check, only: check_sensitivities
    use ehlwave_scheme_choice, only: check_scheme, choose_scheme
@@ -33,6 +34,8 @@ contains
       if (.not. allocated(error) .and. conditions%is_line()) call complete_line(case, error)
       if (case%largest_cells == 0) case%largest_cells = usual_largest_cells
       if (.not. allocated(error)) call complete_roughness(case, error)
+      call complete_amplitude(case%roughness_t, '', conditions, error)
+      call complete_amplitude(case%second, '2', conditions, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
       if (.not. allocated(error)) call effects%check(case, error)

@@ -1,12 +1,14 @@
 !> The rough surfaces of a case: their wavelengths, and refusals.
 module ehlwave_case_roughness
    use ehlwave_case_definition, only: case_t, roughness_t
+   use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_formula, only: expected_film
    use ehlwave_kinds, only: dp
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: check_line_roughness, check_response, complete_roughness
+   public :: check_line_roughness, check_response, complete_amplitude, complete_roughness
 
 contains
 
@@ -26,6 +28,22 @@ contains
          call check_moving(case%second, '2', 2 - case%slip_parameter, error)
       end if
    end subroutine complete_roughness
+
+   !> Give waves of a known amplitude the amplitude over the film of the formula, for estimates of the plan.
+   subroutine complete_amplitude(roughness, number, conditions, error)
+      type(roughness_t), intent(inout) :: roughness
+      character(len=*), intent(in) :: number         !! of the surface in the names of groups: '' or '2'
+      type(conditions_t), intent(in) :: conditions
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error) .or. .not. roughness%amplitude_m > 0) return
+      if (conditions%has_dimensions) then
+         roughness%amplitude_over_film = roughness%amplitude_m/(conditions%c_m*expected_film(conditions))
+      else
+         call raise(error, '&waviness'//number//' amplitude_m holds metres: give &conditions by dimensional data '// &
+            '(radius_x_m, ...), or amplitude_over_film in its place')
+      end if
+   end subroutine complete_amplitude
 
    !> Refuse a stationary surface of a pair in a march: its pattern would never enter, or be present at once.
    subroutine check_moving(roughness, number, speed, error)

@@ -77,7 +77,8 @@ contains
          steady_cost = merge(petsc_cost, 1.0_dp, case%method == 'petsc')
          call plan%effects%multiply_cost(steady_cost, steps_cost)
          if (plan%is_fitted) steady_cost = fitted_cost*steady_cost
-         plan%expected_work_units = (1 + plan%phases*phase_cost(case%amplitude_over_film))*steady*steady_cost &
+         plan%expected_work_units = (1 + plan%phases*phase_cost(min(1.0_dp, &
+            case%amplitude_over_film)))*steady*steady_cost &
                                     + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost
       end associate
       if (case%oil%shear_limit_over_pressure > 0) plan%expected_work_units = plan%expected_work_units* &

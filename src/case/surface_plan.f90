@@ -55,6 +55,7 @@ contains
          aspect = merge(1.0_dp, conditions%elliptic%kappa, conditions%is_line())   ! lines have Y = y/a
          waviness = new_waviness(roughness%wavelength_x_over_a, aspect*roughness%wavelength_y_over_a, &
                                  roughness%oblique, case%x_min, speed, roughness%amplitude_over_film)
+         if (roughness%amplitude_m > 0) waviness%amplitude_over_c = roughness%amplitude_m/conditions%c_m
       end if
    end subroutine plan_surface
 
@@ -143,7 +144,11 @@ contains
          if (roughness%wavelength_y_over_a > 0) text = text//', lambda_y/a = '// &
             to_text(roughness%wavelength_y_over_a, 6)
          if (roughness%oblique) text = text//', oblique'
-         text = text//', Ai = '//to_text(roughness%amplitude_over_film, 4)//' of the smooth central film'
+         if (roughness%amplitude_m > 0) then
+            text = text//', Ai = '//to_text(roughness%amplitude_m*1e6_dp, 4)//' um'
+         else
+            text = text//', Ai = '//to_text(roughness%amplitude_over_film, 4)//' of the smooth central film'
+         end if
       else
          text = 'none (smooth surfaces)'
       end if

@@ -17,6 +17,7 @@ module ehlwave_waviness
       real(dp) :: slip = 1           !! speed in units of the mean speed: S = u1/ubar of the first surface, 2 - S of the
                                      !! second
       real(dp) :: amplitude_over_film = 0   !! amplitude of waves: Ai over the smooth H(0,0)
+      real(dp) :: amplitude_over_c = 0      !! Ai in units of c in its place, if above 0
       type(surface_t), allocatable :: surface   !! the measured surface, if any
    contains
       procedure :: moves
@@ -77,7 +78,9 @@ contains
       class(waviness_t), intent(in) :: self
       real(dp), intent(in) :: film                         !! smooth H(0,0)
       amplitude = 1
-      if (.not. allocated(self%surface)) amplitude = self%amplitude_over_film*film
+      if (allocated(self%surface)) return
+      amplitude = self%amplitude_over_film*film
+      if (self%amplitude_over_c > 0) amplitude = self%amplitude_over_c
    end function amplitude
 
    !> Amplitude of waves with the same Rq, over the film.
@@ -85,6 +88,7 @@ contains
       class(waviness_t), intent(in) :: self
       real(dp), intent(in) :: film                         !! smooth H(0,0)
       equivalent_amplitude = self%amplitude_over_film
+      if (self%amplitude_over_c > 0) equivalent_amplitude = self%amplitude_over_c/film
       if (allocated(self%surface)) equivalent_amplitude = sqrt(2.0_dp)*self%surface%rq/film
    end function equivalent_amplitude
 

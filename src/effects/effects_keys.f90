@@ -4,13 +4,15 @@ module ehlwave_effects_keys
    use ehlwave_heat_keys, only: heat_keys_t
    use ehlwave_key_list, only: key_list_t
    use ehlwave_starvation_keys, only: starvation_keys_t
+   use ehlwave_touching_keys, only: touching_keys_t
    implicit none (type, external)
    private
 
-   integer, parameter, public :: effect_count = 2
+   integer, parameter, public :: effect_count = 3
 
    type, public :: effects_keys_t
       type(heat_keys_t) :: heat
+      type(touching_keys_t) :: touching
       type(starvation_keys_t) :: starvation
    contains
       procedure :: effect
@@ -30,6 +32,7 @@ contains
       class(effect_keys_t), pointer :: one
       select case (k)
       case (1); one => self%heat
+      case (2); one => self%touching
       case default; one => self%starvation
       end select
    end function effect

@@ -10,12 +10,14 @@ module ehlwave_effects_plan
    use ehlwave_kinds, only: dp
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_starvation_plan, only: starvation_plan_t
+   use ehlwave_touching_plan, only: touching_plan_t
    implicit none (type, external)
    private
    public :: error_name, error_help
 
    type, public :: effects_plan_t
       type(heat_plan_t) :: heat
+      type(touching_plan_t) :: touching
       type(starvation_plan_t) :: starvation
    contains
       procedure :: effect
@@ -44,6 +46,7 @@ contains
       class(effect_plan_t), pointer :: one
       select case (k)
       case (1); one => self%heat
+      case (2); one => self%touching
       case default; one => self%starvation
       end select
    end function effect

@@ -18,11 +18,13 @@ module ehlwave_effects_result
    use ehlwave_rescue, only: rescue_t
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_starvation_result, only: starvation_result_t
+   use ehlwave_touching_result, only: touching_result_t
    implicit none (type, external)
    private
 
    type, public :: effects_result_t
       type(heat_result_t) :: heat
+      type(touching_result_t) :: touching
       type(starvation_result_t) :: starvation
    contains
       procedure :: effect
@@ -54,6 +56,7 @@ contains
       class(effect_result_t), pointer :: one
       select case (k)
       case (1); one => self%heat
+      case (2); one => self%touching
       case default; one => self%starvation
       end select
    end function effect

@@ -18,7 +18,9 @@ module ehlwave_case_definition
       real(dp) :: wavelength_over_a = 0                  !! shorter wavelength of a custom pattern, completed
       real(dp) :: wavelength_x_over_a = 0, wavelength_y_over_a = 0   !! 0: no variation; completed
       logical :: oblique = .false.
-      real(dp) :: amplitude_over_film = 0.2_dp
+      real(dp) :: amplitude_over_film = 0.2_dp           !! estimated where `amplitude_m` is given
+      real(dp) :: amplitude_m = 0                        !! 0: by the film
+      real(dp) :: phase_deg = 0                          !! of waves at rest whose surfaces may touch
       character(len=path_length) :: surface_file = ''    !! measured surface in place of waviness
    contains
       procedure :: is_wavy

@@ -60,6 +60,9 @@ contains
       call visit_oil_keys(case%oil, case%effects%are_warm(), list)
       call case%effects%visit('lubricant', list)
       call visit_waviness(case%roughness_t, '', list)
+      call list%see(case%phase_deg, key_t('phase_deg', 'phase of waves at rest; 0: smallest gap at X = 0', unit='deg', &
+         minimum=-360.0_dp, maximum=360.0_dp, is_late=.true., when='waves at rest with &touching', &
+         applies=case%effects%touching%is_given() .and. case%is_wavy() .and. .not. case%moves()))
       call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude "// &
          "in time, "// &
          "'periodic': the periodic state of these waves, by a march from their linear response; where that does "// &

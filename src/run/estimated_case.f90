@@ -17,6 +17,7 @@ module ehlwave_estimated_case
    use ehlwave_resolution, only: telling_inlet, telling_points_per_wave, times_as_wide
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_interrupted, status_over_budget, status_pending
+   use ehlwave_touching_case, only: run_touching
    use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
    private
@@ -60,6 +61,10 @@ contains
       real(dp) :: by_effects, estimate, seconds
       integer :: n, status
 
+      if (case%effects%touching%is_given()) then
+         call run_touching(case, plan, monitor, result)
+         return
+      end if
       call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return

@@ -19,7 +19,7 @@ module ehlwave_shared_steady
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: limits_of, steady_key
+   public :: grid_of, limits_of, steady_key
 
    !> It owns the hierarchy. Such a large object is a `class` here and where it is declared: for a `type` gfortran
    !> writes copies and ends of all its parts into each procedure, which compiles three times as long.

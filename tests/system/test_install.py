@@ -11,7 +11,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import FolderTest, last_line, namelist
+from ehlwave_program import VERSION, FolderTest, last_line, namelist
 
 ROOT = Path(__file__).parents[2]
 BUILD = Path(os.environ["EHLWAVE_BUILD"])
@@ -73,6 +73,11 @@ class Install(FolderTest):
         status = self.run_here(self.prefix/"bin"/"ehlwave-sweep", "--status", "results.h5").stdout
         self.assertIn("2 finished, 0 left", status)
 
+    def test_the_module_has_its_version(self):
+        for name in ("ehlwave", "ehlwave-post"):
+            said = self.run_here(self.prefix/"bin"/name, "--version", EHLWAVE_PYTHON=sys.executable).stdout
+            self.assertEqual(said, f"ehlwave {VERSION}\n")
+
     def test_help_needs_no_mpi(self):
         """Where MPI cannot start a process, here for lack of ssh, as on some login nodes."""
         for option in ("--help", "--version", "--keys"):
@@ -100,7 +105,7 @@ class Install(FolderTest):
         self.assertIn("EHLWAVE_HOME", self.run_here("bash", copy, "sweep.nml", status=2).stderr)
 
     def test_manual_and_completion_have_every_option(self):
-        for program in ("run-sweep", "ehlwave-case", "ehlwave-sweep"):
+        for program in ("ehlwave-accept", "run-sweep", "ehlwave-case", "ehlwave-sweep"):
             options = re.findall(r"^  (--[a-z-]+)", self.run_here(self.prefix/"bin"/program, "--help").stdout, re.MULTILINE)
             page = (self.prefix/"share"/"man"/"man1"/f"{program}.1").read_text().replace("\\-", "-")
             completion = self.prefix/"share"/"bash-completion"/"completions"/program

@@ -1,6 +1,10 @@
 """Metadata of the installation: the version, and packages that belong to an extra."""
 
+import re
+import sys
+import sysconfig
 from importlib import import_module
+from pathlib import Path
 from types import ModuleType
 
 EXTRAS = {
@@ -18,8 +22,22 @@ EXTRAS = {
 
 
 def install(extra: str) -> str:
-    """Return the command that installs an extra, from the folder of the repository."""
-    return f"pip install './postprocess[{extra}]'"
+    """Return the command that installs an extra, from the folder of the repository.
+
+    Where the system manages the packages of this Python (PEP 668), a virtual environment comes
+    first.
+    """
+    command = f"pip install './postprocess[{extra}]'"
+    if is_externally_managed():
+        return f"python3 -m venv venv && . venv/bin/activate && {command}"
+    return command
+
+
+def is_externally_managed() -> bool:
+    """Return whether pip refuses to install into this Python (PEP 668)."""
+    if sys.prefix != sys.base_prefix:
+        return False
+    return Path(sysconfig.get_path("stdlib"), "EXTERNALLY-MANAGED").exists()
 
 
 def advice(error: ModuleNotFoundError) -> str | None:
@@ -44,10 +62,13 @@ def load(module: str) -> ModuleType:
 
 
 def version() -> str:
-    """Return the version by the metadata of the installation."""
+    """Return the version by the metadata of the installation, or by the source on the path."""
     from importlib import metadata
 
     try:
         return metadata.version("ehlwave")
     except metadata.PackageNotFoundError:
-        return "0+unknown"  # sources on the path, not installed
+        project = Path(__file__).parents[2] / "pyproject.toml"
+        text = project.read_text(encoding="utf-8") if project.is_file() else ""
+        found = re.search(r'^version = "([^"]*)"', text, re.MULTILINE)
+        return found[1] if found else "0+unknown"

@@ -9,6 +9,7 @@ from ehlwave.cli.app import add_app_command
 from ehlwave.cli.arguments.cache import add_cache_command
 from ehlwave.cli.arguments.deform import add_deform_commands
 from ehlwave.cli.arguments.elements import add_element_commands
+from ehlwave.cli.arguments.identify import add_identify_command
 from ehlwave.cli.arguments.replenish import add_replenish_command
 from ehlwave.cli.arguments.results import add_results_commands
 from ehlwave.cli.arguments.stress import add_stress_command
@@ -71,6 +72,7 @@ def command_parser() -> argparse.ArgumentParser:
     add_deform_commands(commands)
     add_stress_command(commands)
     add_replenish_command(commands)
+    add_identify_command(commands)
     add_traction_command(commands)
     add_cache_command(commands)
     add_element_commands(commands)

@@ -126,6 +126,18 @@ class CaseKeys(TypedDict, total=False):
     """intervals across the film"""
     wave_temperatures: Literal["frozen", "carried"]
     """temperatures in marches; 'frozen': those of the smooth contact"""
+    film_m: SupportsFloat
+    """boundary film H_b; gap at which solids begin to bear, on which their share depends, m"""
+    share: SupportsFloat
+    """share of the load that the solids bear"""
+    law: Literal["hard", "soft"]
+    """pressure of the solids"""
+    solid_friction: SupportsFloat
+    """friction coefficient of the solids"""
+    softness_m: SupportsFloat
+    """fall of the gap by which the pressure of the solids grows e times, m"""
+    stress_pa: SupportsFloat
+    """pressure of the solids at the boundary film, Pa"""
     orientation: Literal["none", "transverse", "isotropic", "longitudinal", "custom"]
     """orientation of the waves"""
     wavelength_over_a: SupportsFloat
@@ -138,6 +150,10 @@ class CaseKeys(TypedDict, total=False):
     """whether the pattern is one plane wave cos(kx X + ky Y) in place of the product of cosines"""
     amplitude_over_film: SupportsFloat
     """amplitude Ai over the smooth central film thickness"""
+    amplitude_m: SupportsFloat
+    """amplitude Ai of any size, in place of amplitude_over_film; needs dimensional conditions, m"""
+    phase_deg: SupportsFloat
+    """phase of waves at rest; 0: smallest gap at X = 0, deg"""
     response: Literal["transient", "periodic", "harmonic", "both"]
     """response to the waves"""
     file: Text | SurfaceLike | TopographyLike
@@ -154,6 +170,8 @@ class CaseKeys(TypedDict, total=False):
     """of surface 2"""
     amplitude_over_film_2: SupportsFloat
     """of surface 2, amplitude Ai over the smooth central film thickness"""
+    amplitude_m_2: SupportsFloat
+    """of surface 2, amplitude Ai of any size, in place of amplitude_over_film"""
     file_2: Text | SurfaceLike | TopographyLike
     """measured surface 2"""
     oil_over_flooded: SupportsFloat

@@ -1,0 +1,147 @@
+"""Tables of rigs: measured results over the conditions that vary."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from ehlwave.errors import ArgumentError, did_you_mean
+from ehlwave.inputs.key_table import KEYS
+
+RESULTS = {
+    "central_film_m": "central film, m",
+    "minimum_film_m": "smallest film, m",
+    "friction_coefficient": "friction coefficient",
+    "harmonic_ratio": "Ad/Ai",
+}
+"""Measured results in SI units, and their labels."""
+
+UNITS = {"_um": 1e-6, "_nm": 1e-9}
+_LENGTHS = {
+    name.removesuffix("_m") + ending: (name, factor)
+    for name in RESULTS
+    if name.endswith("_m")
+    for ending, factor in UNITS.items()
+}
+_OTHER = {"mean_speed_mm_per_s": ("mean_speed_m_per_s", 1e-3)}
+TEMPERATURE, CELSIUS, KELVIN_AT_0 = "temperature_k", "temperature_c", 273.15
+ERROR = "_error"
+"""Ending of a column of relative standard errors."""
+
+
+@dataclass(frozen=True)
+class Measurements:
+    """Measured results, one a row.
+
+    Attributes
+    ----------
+    conditions : list of dict
+        Keys that vary, of each row.
+    result : list of str
+        Name of the result of each row, a key of `RESULTS`.
+    value, error : ndarray
+        Measured values in SI units, and relative standard errors; NaN: not known.
+    """
+
+    conditions: list[dict[str, float]]
+    result: list[str]
+    value: NDArray[np.float64]
+    error: NDArray[np.float64]
+
+    def __len__(self) -> int:
+        """Return the number of values."""
+        return len(self.value)
+
+
+def read_measurements(source: "str | Path | pd.DataFrame") -> Measurements:
+    """Read a table whose columns are keys that vary and measured results.
+
+    Parameters
+    ----------
+    source : path or DataFrame
+        CSV with headings. Keys of input files, such as ``mean_speed_m_per_s``, ``load_n``,
+        ``slide_to_roll_ratio`` and ``wavelength_over_a``, or ``temperature_c``; results
+        ``central_film_um``, ``minimum_film_um`` (or ``_nm``, ``_m``), ``friction_coefficient``
+        and ``harmonic_ratio`` (Ad/Ai); relative standard errors as ``central_film_error``.
+        Empty cells of results are left out.
+
+    Raises
+    ------
+    ArgumentError
+        If a column is not known, or a value is no number above 0.
+
+    Examples
+    --------
+    >>> import pandas as pd
+    >>> from ehlwave.identify import read_measurements
+    >>> rig = pd.DataFrame({"mean_speed_m_per_s": [0.1, 1], "central_film_nm": [60, 280]})
+    >>> read_measurements(rig).value
+    array([6.0e-08, 2.8e-07])
+    """
+    table, place = _table_of(source)
+    columns = _known_columns(table, place)
+    results = [name for name in columns if name in RESULTS]
+    if not results:
+        known = ", ".join((*RESULTS, *_LENGTHS))
+        raise ArgumentError(f"{place}: no measured result: give one of the columns {known}")
+    conditions: list[dict[str, float]] = []
+    names: list[str] = []
+    values: list[float] = []
+    errors: list[float] = []
+    keys = [name for name in columns if name in KEYS]
+    for row in range(len(table)):
+        given = {key: columns[key][row] for key in keys if np.isfinite(columns[key][row])}
+        for name in results:
+            value = columns[name][row]
+            if not np.isfinite(value):
+                continue
+            if not value > 0:
+                raise ArgumentError(f"{place}, row {row + 1}: {name} = {value:g} must be above 0")
+            conditions.append(given)
+            names.append(name)
+            values.append(value)
+            error = columns.get(name.removesuffix("_m") + ERROR)
+            errors.append(np.nan if error is None else error[row])
+    return Measurements(conditions, names, np.array(values), np.array(errors))
+
+
+def _table_of(source: "str | Path | pd.DataFrame") -> tuple[pd.DataFrame, str]:
+    if isinstance(source, pd.DataFrame):
+        return source, "measurements"
+    if not Path(source).is_file():
+        raise ArgumentError(f"{source}: no such file: give a CSV table of measurements")
+    try:
+        table = pd.read_csv(source, sep=None, engine="python", comment="#", encoding="utf-8-sig")
+    except (ValueError, pd.errors.ParserError) as error:
+        raise ArgumentError(f"{source}: not a CSV table: {error}") from error
+    return table.rename(columns=lambda name: str(name).strip()), str(source)
+
+
+def _known_columns(table: pd.DataFrame, place: str) -> Mapping[str, NDArray[np.float64]]:
+    """Return the columns in SI units by the names of keys and results."""
+    known = {}
+    errors = [name.removesuffix("_m") + ERROR for name in RESULTS]
+    words = [key for key, entry in KEYS.items() if entry.kind == "number"]
+    words += [*RESULTS, *_LENGTHS, *_OTHER, *errors, CELSIUS]
+    for heading in table.columns:
+        name, factor, offset = heading, 1.0, 0.0
+        if heading in _LENGTHS or heading in _OTHER:
+            name, factor = (_LENGTHS | _OTHER)[heading]
+        elif heading == CELSIUS:
+            name, offset = TEMPERATURE, KELVIN_AT_0
+        elif heading not in words:
+            raise ArgumentError(
+                f"{place}: column {heading} is no key and no measured result"
+                f"{did_you_mean(heading, words)}"
+            )
+        if name in known:
+            raise ArgumentError(f"{place}: two columns of {name}: leave one")
+        values: Any = pd.to_numeric(table[heading], errors="coerce")
+        if (values.isna() & table[heading].notna()).any():
+            raise ArgumentError(f"{place}: column {heading} has cells that are no numbers")
+        known[name] = factor * values.to_numpy(dtype=float) + offset
+    return known

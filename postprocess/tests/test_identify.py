@@ -1,0 +1,141 @@
+"""Identification of oils from synthetic measurements, whose parameters are known."""
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from ehlwave.cli import main
+from ehlwave.errors import ArgumentError
+from ehlwave.identify import identification_figure, identify, read_measurements
+from ehlwave.identify.model import by_laws
+
+NOISE = 0.02
+OIL = {"viscosity_pa_s": 0.05, "pressure_viscosity_per_pa": 1.8e-8}
+BALL = {
+    "radius_x_m": 0.0127,
+    "radius_y_m": 0.0127,
+    "reduced_modulus_pa": 2.26e11,
+    "load_n": 40,
+} | OIL
+FAR = BALL | {"pressure_viscosity_per_pa": 2.4e-8}
+SPEEDS = (0.2, 0.5, 1.0, 2.0, 4.0)
+
+
+def films(seed: int, decay: float = 0.0, temperatures: tuple[float, ...] = (60.0,)) -> pd.DataFrame:
+    """Return films over speed and temperature with noise."""
+    rng = np.random.default_rng(seed)
+    rows = []
+    for celsius in temperatures:
+        eta = OIL["viscosity_pa_s"] * math.exp(-decay * (celsius - 60))
+        for speed in SPEEDS:
+            keys = BALL | {"mean_speed_m_per_s": speed, "viscosity_pa_s": eta}
+            film = math.exp(by_laws(keys, "central_film_m") + NOISE * rng.standard_normal())
+            rows.append((speed, celsius, film * 1e9))
+    table = pd.DataFrame(rows, columns=["mean_speed_m_per_s", "temperature_c", "central_film_nm"])
+    return table if decay else table.drop(columns="temperature_c")
+
+
+def frictions(seed: int, stress_pa: float) -> pd.DataFrame:
+    """Return a traction curve with noise."""
+    rng = np.random.default_rng(seed)
+    keys = BALL | {"mean_speed_m_per_s": 1.0, "eyring_stress_pa": stress_pa}
+    ratios = np.geomspace(0.02, 0.5, 6)
+    values = [
+        math.exp(
+            by_laws(keys | {"slide_to_roll_ratio": ratio}, "friction_coefficient")
+            + NOISE * rng.standard_normal()
+        )
+        for ratio in ratios
+    ]
+    return pd.DataFrame({"slide_to_roll_ratio": ratios, "friction_coefficient": values})
+
+
+def test_intervals_hold_the_true_value() -> None:
+    """Of 25 fits 95 % intervals hold alpha in at least 21: fewer have a probability of 0.7 %."""
+    held = 0
+    for seed in range(25):
+        (alpha,) = identify(films(seed), FAR, ["alpha"], by="laws").parameters
+        assert alpha.is_identified
+        assert abs(alpha.value / 1.8e-8 - 1) < 0.08
+        held += alpha.low <= 1.8e-8 <= alpha.high
+    assert held >= 21
+
+
+def test_speed_and_temperature() -> None:
+    table = films(1, decay=0.035, temperatures=(40.0, 60.0, 80.0))
+    found = identify(table, FAR, ["alpha", "viscosity_temperature"], error=NOISE, by="laws")
+    alpha, decay = found.parameters
+    assert alpha.low < 1.8e-8 < alpha.high
+    assert decay.low < 0.035 < decay.high
+    assert found.reference_k == pytest.approx(333.15)
+    assert found.rms == pytest.approx(NOISE, rel=0.5)
+    with pytest.raises(ArgumentError, match="viscosity_temperature"):
+        identify(table, FAR, ["alpha"], by="laws")
+
+
+def test_traction_curve_and_figure() -> None:
+    keys = BALL | {"mean_speed_m_per_s": 1.0}
+    found = identify(frictions(2, 6e6), keys, ["eyring_stress"], by="laws")
+    (stress,) = found.parameters
+    assert stress.low < 6e6 < stress.high
+    assert stress.error < 0.05
+    assert len(identification_figure(found).axes) == 2
+
+
+def test_what_films_do_not_determine() -> None:
+    """Films know one combination of alpha and viscosity, and nothing of the Eyring stress."""
+    found = identify(films(3), BALL, ["alpha", "viscosity", "eyring_stress"], by="laws")
+    assert not any(one.is_identified for one in found.parameters)
+    text = " ".join(found.notes)
+    assert "eyring_stress_pa is not identified" in text
+    assert "pressure_viscosity_per_pa and viscosity_pa_s cannot be told apart" in text
+
+
+def test_friction_and_films_together() -> None:
+    """A traction curve beside the films tells alpha and stress apart."""
+    both = pd.concat([films(4), frictions(4, 6e6).assign(mean_speed_m_per_s=1.0)])
+    found = identify(both, FAR, ["alpha", "eyring_stress"], error=NOISE, by="laws")
+    assert all(one.is_identified for one in found.parameters)
+    alpha, stress = found.parameters
+    assert alpha.low < 1.8e-8 < alpha.high
+    assert stress.low < 6e6 < stress.high
+
+
+def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    films(5).to_csv(tmp_path / "films.csv", index=False)
+    groups = "&conditions {} /\n&lubricant pressure_viscosity_per_pa = 2.4e-8 /\n".format(
+        ", ".join(f"{key} = {BALL[key]}" for key in BALL if key != "pressure_viscosity_per_pa")
+    )
+    (tmp_path / "ball.nml").write_text(groups)
+    words = ["identify", str(tmp_path / "films.csv"), "--conditions", str(tmp_path / "ball.nml")]
+    assert main([*words, "--fit", "alpha", "--json", "--output", str(tmp_path / "out")]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["parameters"]["pressure_viscosity_per_pa"]["is_identified"] is True
+    assert len(found["rows"]) == len(SPEEDS)
+    assert {path.name for path in (tmp_path / "out").iterdir()} >= {"identify.csv", "identify.png"}
+    assert main([*words, "--fit", "alfa"]) == 2
+    assert "alpha" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("table", "words"),
+    [
+        ({"speed": [1], "central_film_um": [0.1]}, "speed"),
+        ({"mean_speed_m_per_s": [1]}, "no measured result"),
+        ({"mean_speed_m_per_s": [1], "central_film_um": [-0.1]}, "above 0"),
+        ({"central_film_um": [0.1], "central_film_nm": [100]}, "two columns"),
+    ],
+)
+def test_tables_that_are_refused(table: dict[str, list[float]], words: str) -> None:
+    with pytest.raises(ArgumentError, match=words):
+        read_measurements(pd.DataFrame(table))
+
+
+def test_more_parameters_than_values() -> None:
+    table = pd.DataFrame({"mean_speed_m_per_s": [1.0], "central_film_um": [0.3]})
+    with pytest.raises(ArgumentError, match="do not determine 2 parameters"):
+        identify(table, BALL, ["alpha", "viscosity"])

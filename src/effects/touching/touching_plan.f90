@@ -1,0 +1,99 @@
+!> Surfaces that may touch, in the plan of a case: required data, and inputs that contradict them.
+module ehlwave_touching_plan
+   use ehlwave_case_definition, only: case_t, roughness_t
+   use ehlwave_effect_plan, only: effect_plan_t
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_kinds, only: dp
+   use ehlwave_touching_data, only: soft
+   implicit none (type, external)
+   private
+
+   type, extends(effect_plan_t), public :: touching_plan_t
+   contains
+      procedure, nopass :: complete
+      procedure, nopass :: check_data
+      procedure, nopass :: check
+   end type touching_plan_t
+
+contains
+
+   !> Take the fitted scheme, which has a third of the error of the averaged one in the speed of a share.
+   subroutine complete(case)
+      type(case_t), intent(inout) :: case
+      if (case%effects%touching%is_given() .and. case%scheme == 'auto') case%scheme = 'fitted'
+   end subroutine complete
+
+   !> Refuse data that are not complete.
+   subroutine check_data(case, error)
+      type(case_t), intent(in) :: case
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error)) return
+      associate (touching => case%effects%touching%data)
+         if (touching%share > 0 .and. .not. touching%is_given()) then
+            call raise(error, '&touching film_m is missing: write the boundary film at which solids begin to bear')
+         else if (touching%is_given() .and. touching%law == soft .and. &
+                  .not. min(touching%softness_m, touching%stress_pa) > 0) then
+            call raise(error, "&touching law = 'soft' needs softness_m and stress_pa: write both, or law = 'hard'")
+         end if
+      end associate
+   end subroutine check_data
+
+   !> Refuse inputs for which touching is not built.
+   subroutine check(case, error)
+      type(case_t), intent(in) :: case
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error) .or. .not. case%effects%touching%is_given()) return
+      if (.not. case%is_dimensional) then
+         call raise(error, '&touching film_m holds metres: give &conditions by dimensional data (radius_x_m, '// &
+            '...) in '// &
+            'place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
+      else if (case%is_rough() .and. .not. case%moves() .and. min(amplitude(case%roughness_t), &
+         amplitude(case%second)) <= 0) &
+         then
+         call refuse('&waviness amplitude_over_film', 'takes waves at rest whose height is known: give amplitude_m')
+      else if (case%radius_ratio_d > 0) then
+         call refuse('the contact has two dimensions', 'is built for line contacts: give load_n_per_m in place of '// &
+            'load_n and radius_y_m')
+      else if (case%effects%heat%is_given()) then
+         call refuse('&heat is given', 'is isothermal, as the heat of sliding solids is not built: remove &heat')
+      else if (case%effects%starvation%is_given() .or. case%effects%starvation%oil_profile /= '') then
+         call refuse('&inlet gives less oil than fills the gap', 'takes flooded inlets: remove oil_over_flooded, '// &
+            'oil_layer_m and oil_profile')
+      else if (case%is_rough() .and. case%response /= 'transient') then
+         call refuse("&waviness response = '"//trim(case%response)//"'", 'is not linear, and periodic states with '// &
+            "it are not built: use response = 'transient'")
+      else if (case%method == 'fas' .or. case%method == 'petsc') then
+         call refuse("&solver method = '"//trim(case%method)//"'", &
+            "is solved by Newton's method: use 'auto' or 'newton'")
+      else if (case%accuracy > 0) then
+         call refuse('&solver accuracy', 'states its errors by the mesh and chooses none: remove accuracy and '// &
+            'give cells')
+      else if (case%sensitivities) then
+         call refuse('&output sensitivities', 'has none: remove the key')
+      else if (case%time_step_over_cell > 1 .or. .not. case%time_step_over_cell > 0) then
+         call refuse('&solver time_step_over_cell', 'follows the oil from node to node: use 1, 0.5, 0.25, ...')
+      else if (case%effects%touching%data%seeks_speed() .and. case%marches()) then
+         call refuse('&touching share', 'finds a speed in steady states only: remove share, or let the rough '// &
+            'surface '// &
+            'rest (slip_parameter = 0)')
+      end if
+
+   contains
+
+      subroutine refuse(given, instead)
+         character(len=*), intent(in) :: given, instead
+         call raise(error, given//', and &touching '//instead)
+      end subroutine refuse
+
+   end subroutine check
+
+   !> The amplitude of waves that are given by it, else 0; of no waves infinite.
+   pure real(dp) function amplitude(roughness)
+      type(roughness_t), intent(in) :: roughness
+      amplitude = huge(amplitude)
+      if (roughness%is_wavy()) amplitude = roughness%amplitude_m
+   end function amplitude
+
+end module ehlwave_touching_plan

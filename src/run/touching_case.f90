@@ -1,0 +1,265 @@
+!> A case whose surfaces may touch: on its mesh and on wider ones, from which its errors follow.
+module ehlwave_touching_case
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_case_account, only: add_warning, blank_result, end_early, take_report
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_lubricant, only: extrapolation_text
+   use ehlwave_case_plan, only: make_plan
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_clock, only: peak_memory_mib, wall_seconds
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp, pi
+   use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_planned_case, only: case_plan_t, run_march
+   use ehlwave_shared_steady, only: grid_of
+   use ehlwave_shear_stress, only: knows_stress, mean_shear_stress
+   use ehlwave_solve_report, only: solve_report_t
+   use ehlwave_status, only: is_success, status_converged, status_unresolved
+   use ehlwave_text, only: to_text
+   use ehlwave_touching_continuation, only: reach_share, reach_speed, start_steady
+   use ehlwave_touching_newton, only: set_speed, touching_solver_t
+   use ehlwave_touching_account_result, only: state_of, touching_values_t
+   use ehlwave_touching_state, only: new_touching_law, prolonged, touching_state_t
+   use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
+   implicit none (type, external)
+   private
+   public :: run_touching
+
+   integer, parameter :: most_levels = 3       !! meshes
+   integer, parameter :: fewest_cells = 48     !! of a wider one
+
+contains
+
+   !> Run a case on its mesh, after the same on meshes two and four times as wide, whose states begin its own.
+   subroutine run_touching(case, plan, monitor, result)
+      type(case_t), intent(in) :: case              !! completed input
+      type(case_plan_t), intent(in) :: plan
+      class(monitor_t), intent(inout) :: monitor
+      type(case_result_t), intent(out) :: result
+      type(case_t) :: level_case
+      type(case_plan_t) :: level_plan
+      type(touching_values_t) :: values(most_levels)
+      type(touching_solver_t) :: solver
+      type(touching_state_t) :: steady, state
+      type(error_t), allocatable :: error
+      real(dp) :: start
+      integer :: levels, n
+      logical :: has_coarser
+
+      start = wall_seconds()
+      result = blank_result(case, plan)
+      levels = 1
+      do while (levels < most_levels)
+         if (modulo(plan%cells_x, 2**levels) /= 0 .or. plan%cells_x/2**levels < fewest_cells) exit
+         levels = levels + 1
+      end do
+      has_coarser = .false.
+      do n = levels, 1, -1
+         level_case = case
+         level_case%cells_x = plan%cells_x/2**(n - 1)
+         call make_plan(level_case, level_plan, error, plan%domain_scale)
+         if (allocated(error)) cycle
+         result%message = ''
+         result%status = status_converged
+         result%residual = 0
+         result%load_error = 0
+         call find_steady(case, level_plan, monitor, n == 1, has_coarser, solver, steady, result)
+         has_coarser = result%status == status_converged
+         state = steady
+         if (has_coarser .and. plan%kind == run_march) then
+            call march(case, level_plan, monitor, solver, state, values(n), result)
+         else if (has_coarser) then
+            call values(n)%take(solver, state)
+         end if
+         if (monitor%request /= go_on) then
+            call end_early(monitor%request, 'mesh '//to_text(levels - n + 1)//' of '//to_text(levels), result)
+            return
+         end if
+      end do
+      if (result%status == status_converged) then
+         n = findloc(ieee_is_finite(values%share), .false., 1) - 1
+         if (n < 0) n = most_levels
+         result%effects%touching%account%touching_values_t = values(1)
+         call result%effects%touching%account%estimate(values(2:n), plan%hx)
+         call take_solution(case, plan, solver, state, result)
+      end if
+      result%seconds = wall_seconds() - start
+      result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
+      result%counted_work_units = result%work/work_unit_operations(plan%cells_x, plan%cells_y)
+      result%all_work = result%work
+      result%total_work_units = result%counted_work_units
+      result%peak_memory_mib = peak_memory_mib()
+   end subroutine run_touching
+
+   !> The steady state of a mesh: of a wave at rest with the wave, else of smooth surfaces.
+   subroutine find_steady(case, plan, monitor, is_finest, has_coarser, solver, state, result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      class(monitor_t), intent(inout) :: monitor
+      logical, intent(in) :: is_finest, has_coarser      !! whether `state` is the solution of the mesh twice as wide
+      type(touching_solver_t), intent(inout) :: solver
+      type(touching_state_t), intent(inout) :: state
+      type(case_result_t), intent(inout) :: result
+      type(touching_state_t) :: first
+      type(solve_report_t) :: report
+      real(dp), allocatable :: rough(:, :)
+
+      deallocate_past: if (allocated(solver%past%f)) then
+         deallocate (solver%past%f, solver%past%passed)
+      end if deallocate_past
+      solver%law = new_touching_law(case%effects%touching%data, plan%conditions)
+      if (has_coarser) first = prolonged(state, grid_of(case, plan))
+      call lay_out(case, plan, solver)
+      associate (grid => solver%problem%grid)
+         call grid%new_field(rough)
+         if (plan%kind /= run_march .and. plan%surfaces%is_rough()) rough = rough_at_rest(case, plan, grid%x, grid%y)
+      end associate
+      call solver%given%set_rough(rough)
+      report%status = status_unresolved
+      if (has_coarser) then
+         if (case%effects%touching%data%seeks_speed()) then
+            call solver%solve(first, report, case%effects%touching%data%share)
+         else
+            call solver%solve(first, report)
+         end if
+         if (report%status == status_converged) state = first
+      end if
+      if (report%status /= status_converged) then
+         call start_steady(solver, state, report)
+         if (report%status == status_converged .and. case%effects%touching%data%seeks_speed()) then
+            call reach_share(solver, state, case%effects%touching%data%share, monitor, report)
+         else if (report%status == status_converged) then
+            call reach_speed(solver, state, plan%conditions%data%mean_speed_m_per_s, monitor, report)
+         end if
+      end if
+      call count(report, result)
+      if (is_finest .or. report%status /= status_converged) call take_report(report, 'steady state with touching', &
+         result)
+   end subroutine find_steady
+
+   !> The contact on the mesh of a plan.
+   subroutine lay_out(case, plan, solver)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(touching_solver_t), intent(inout) :: solver
+      call solver%problem%init(grid_of(case, plan), plan%conditions, plan%rheology)
+      solver%largest_steps = case%largest_steps
+      call solver%begin()
+   end subroutine lay_out
+
+   !> Waves that stand still: the smallest gap at X = 0 for a phase of 0.
+   function rough_at_rest(case, plan, x, y) result(rough)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      real(dp), intent(in) :: x(0:), y(0:)
+      real(dp), allocatable :: rough(:, :)
+      real(dp) :: phase
+      integer :: n
+      allocate (rough(0:ubound(x, 1), 0:ubound(y, 1)), source=0.0_dp)
+      do n = 1, size(plan%surfaces%list)
+         phase = pi + merge(case%phase_deg*pi/180, 0.0_dp, n == 1)
+         associate (waves => plan%surfaces%list(n))
+            rough = rough + waves%amplitude(0.0_dp)*waves%shape_fixed(x, y, phase)
+         end associate
+      end do
+   end function rough_at_rest
+
+   !> March in time from the steady state of smooth surfaces; mean values over the time that is measured.
+   subroutine march(case, plan, monitor, solver, state, values, result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      class(monitor_t), intent(inout) :: monitor
+      type(touching_solver_t), intent(inout) :: solver
+      type(touching_state_t), intent(inout) :: state      !! of smooth surfaces; of the last step on return
+      type(touching_values_t), intent(out) :: values
+      type(case_result_t), intent(inout) :: result
+      type(touching_values_t) :: now
+      type(solve_report_t) :: report
+      real(dp) :: film
+      integer :: first, k, measured
+
+      film = solver%problem%grid%value_at_centre(state%h)
+      first = min(plan%first_sample + 1, plan%steps)
+      if (.not. plan%measures) first = plan%steps
+      measured = plan%steps - first + 1
+      call solver%equations%evaluate(solver%problem, solver%law, solver%given, solver%past, state)
+      call solver%equations%remember(state%theta, plan%steps_per_cell, solver%past)
+      solver%given%load%force = case%load_factor
+      result%time = [(k*plan%dt, k=1, plan%steps)]
+      result%film_history = 0*result%time
+      result%approach_history = 0*result%time
+      result%effects%touching%account%share_history = 0*result%time
+      result%effects%touching%account%area_history = 0*result%time
+      do k = 1, plan%steps
+         associate (grid => solver%problem%grid)
+            call solver%given%set_rough(plan%surfaces%rough_at(grid%x, grid%y, k*plan%dt, film))
+         end associate
+         call solver%solve(state, report)
+         call count(report, result)
+         if (report%status /= status_converged) then
+            call take_report(report, 'time step '//to_text(k)//' of '//to_text(plan%steps), result)
+            return
+         end if
+         result%residual = max(result%residual, report%residual)
+         result%load_error = max(result%load_error, report%load_error)
+         call solver%equations%remember(state%theta, plan%steps_per_cell, solver%past)
+         call now%take(solver, state)
+         result%film_history(k) = solver%problem%grid%value_at_centre(state%h)
+         result%approach_history(k) = state%delta
+         result%effects%touching%account%share_history(k) = now%share
+         result%effects%touching%account%area_history(k) = now%area
+         if (k >= first) call values%add(now, measured)
+         call monitor%step_done('time step with touching', k, plan%steps)
+         if (monitor%request /= go_on) return
+      end do
+      result%time_steps = plan%steps
+      result%mean_film = sum(result%film_history(first:))/measured
+   end subroutine march
+
+   !> Add the effort of a solution.
+   subroutine count(report, result)
+      type(solve_report_t), intent(in) :: report
+      type(case_result_t), intent(inout) :: result
+      result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
+      result%linear_steps = result%linear_steps + report%linear_steps
+   end subroutine count
+
+   !> Films, friction, fields and warnings of the last solution.
+   subroutine take_solution(case, plan, solver, state, result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(touching_solver_t), intent(in) :: solver
+      type(touching_state_t), intent(in) :: state
+      type(case_result_t), intent(inout) :: result
+
+      associate (problem => solver%problem, touching => result%effects%touching%account)
+         result%central_film = problem%grid%value_at_centre(state%h)
+         result%minimum_film = minval(state%h)
+         result%central_film_moes = result%central_film*problem%conditions%moes_film_factor
+         result%max_pressure = maxval(state%p)
+         touching%mass_error = result%residual
+         touching%solid_friction = 0
+         if (abs(plan%conditions%slip_parameter - 1) > 0) touching%solid_friction = &
+            sign(case%effects%touching%data%solid_friction*touching%share, plan%conditions%slip_parameter - 1)
+         result%shear%friction_coefficient = touching%friction_oil + touching%solid_friction
+         call add_warning(result, touching%warning())
+         call add_warning(result, extrapolation_text(case, plan%rheology, result%max_pressure))
+         if (case%fields) then
+            allocate (result%x, source=problem%grid%x)
+            allocate (result%y, source=problem%grid%y)
+            allocate (result%p, source=state%p)
+            allocate (result%h, source=state%h)
+            allocate (touching%c, source=state%c)
+            allocate (touching%theta, source=state%theta)
+            if (knows_stress(problem%conditions)) call mean_shear_stress(problem, state_of(state), &
+               result%shear_stress_pa)
+         end if
+      end associate
+      result%is_resolved = plan%resolution%is_resolved .and. .not. result%effects%touching%account%is_artefact
+      if (result%is_resolved) return
+      result%status = status_unresolved
+      result%message = plan%resolution%reason
+      if (result%effects%touching%account%is_artefact) result%message = result%effects%touching%account%warning()
+   end subroutine take_solution
+
+end module ehlwave_touching_case
