@@ -55,7 +55,7 @@ def frictions(seed: int, stress_pa: float) -> pd.DataFrame:
 
 
 def test_intervals_hold_the_true_value() -> None:
-    """Of 25 fits 95 % intervals hold alpha in at least 21: fewer have a probability of 0.7 %."""
+    """95 % intervals of 25 fits hold alpha in at least 21: fewer have a probability of 0.7 %."""
     held = 0
     for seed in range(25):
         (alpha,) = identify(films(seed), FAR, ["alpha"], by="laws").parameters

@@ -90,6 +90,7 @@ contains
          'mean film by waves, to second order, and the smallest film; .false. saves a third of its work, without '// &
          'a warning when waves touch', is_late=.true., is_effort=.true., &
          counts=case%responds() .and. .not. case%effects%refuse(by_second_order), when=linear//' in flooded contacts'))
+      call case%effects%visit('output', list)
    end subroutine visit_case_keys
 
    subroutine visit_conditions(case, list)

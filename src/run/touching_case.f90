@@ -8,7 +8,7 @@ module ehlwave_touching_case
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
    use ehlwave_errors, only: error_t
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_planned_case, only: case_plan_t, run_march
    use ehlwave_shared_steady, only: grid_of
@@ -18,7 +18,7 @@ module ehlwave_touching_case
    use ehlwave_text, only: to_text
    use ehlwave_touching_continuation, only: reach_share, reach_speed, start_steady
    use ehlwave_touching_newton, only: set_speed, touching_solver_t
-   use ehlwave_touching_account_result, only: state_of, touching_values_t
+   use ehlwave_touching_account_result, only: error_of, state_of, touching_values_t
    use ehlwave_touching_state, only: new_touching_law, prolonged, touching_state_t
    use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
    implicit none (type, external)
@@ -81,6 +81,7 @@ contains
          if (n < 0) n = most_levels
          result%effects%touching%account%touching_values_t = values(1)
          call result%effects%touching%account%estimate(values(2:n), plan%hx)
+         result%friction_error = friction_error(case, plan, values(:n))
          call take_solution(case, plan, solver, state, result)
       end if
       result%seconds = wall_seconds() - start
@@ -224,6 +225,27 @@ contains
       result%linear_steps = result%linear_steps + report%linear_steps
    end subroutine count
 
+   !> Friction coefficient of the solids, with the sign of sliding.
+   elemental real(dp) function solid_friction(case, plan, share) result(friction)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      real(dp), intent(in) :: share
+      friction = 0
+      if (abs(plan%conditions%slip_parameter - 1) > 0) friction = &
+         sign(case%effects%touching%data%solid_friction*share, plan%conditions%slip_parameter - 1)
+   end function solid_friction
+
+   !> Relative error of the friction coefficient by the mesh; NaN without a wider mesh or sliding.
+   pure real(dp) function friction_error(case, plan, levels) result(error)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(touching_values_t), intent(in) :: levels(:)   !! the finest first
+      real(dp) :: friction(size(levels))
+      error = no_value
+      friction = levels%friction_oil + solid_friction(case, plan, levels%share)
+      if (size(levels) > 1 .and. abs(friction(1)) > 0) error = error_of(friction)/abs(friction(1))
+   end function friction_error
+
    !> Films, friction, fields and warnings of the last solution.
    subroutine take_solution(case, plan, solver, state, result)
       type(case_t), intent(in) :: case
@@ -238,9 +260,7 @@ contains
          result%central_film_moes = result%central_film*problem%conditions%moes_film_factor
          result%max_pressure = maxval(state%p)
          touching%mass_error = result%residual
-         touching%solid_friction = 0
-         if (abs(plan%conditions%slip_parameter - 1) > 0) touching%solid_friction = &
-            sign(case%effects%touching%data%solid_friction*touching%share, plan%conditions%slip_parameter - 1)
+         touching%solid_friction = solid_friction(case, plan, touching%share)
          result%shear%friction_coefficient = touching%friction_oil + touching%solid_friction
          call add_warning(result, touching%warning())
          call add_warning(result, extrapolation_text(case, plan%rheology, result%max_pressure))

@@ -72,7 +72,7 @@ def dry_pressure(x, gap, load):
 
 class SpeedOfShare(FolderTest):
     def test_same_grid(self):
-        """The same scheme on the same grid: the speeds of the independent solver."""
+        """On the same grid the averaged scheme has the speeds of the independent solver."""
         for table, waviness in ((SMOOTH, None), (WAVY, WAVE)):
             for share, speed, *_ in table:
                 found = contact(384, 0.05, scheme="averaged", waviness=waviness, share=share)

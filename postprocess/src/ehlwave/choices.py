@@ -52,6 +52,11 @@ TRACTION_RATIOS = (
 )
 """Slide-to-roll ratios of ``ehlwave traction``."""
 
+STRIBECK_SHARES = (0.02, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95)
+"""Shares of the load on the solids of ``ehlwave stribeck``."""
+STRIBECK_FACTORS = (1.1, 1.3, 1.7, 2.5, 4.0, 10.0)
+"""Speeds over the speed at the smallest of these shares."""
+
 
 def chosen_or_none(word: Any, name: str, known: Iterable[str]) -> None:  # noqa: ANN401
     """Check a word that an argument takes, or None."""

@@ -38,7 +38,7 @@ def torture(options: argparse.Namespace) -> int:
     unlink, mkdir) fails once, for a while or for ever. Then bad days of each mode: the launcher is
     killed under scripts/run-sweep, the file system refuses locks, another program holds the results
     open. The last line counts signals, faults, days, and what was lost, doubled, different, hung or
-    crashed. Needs a build (scripts/build release).
+    crashed. Needs a build (scripts/build release --tests).
 
     Exit status: 0 passed.
     """
@@ -69,7 +69,7 @@ def fuzz(options: argparse.Namespace) -> int:
     Targets: case, sweep, table (CSV), record (log of a store), surface (HDF5), trace (ehlwave
     surface). None may end the process, hang for 10 s or take 1 GiB; such an input is kept in the
     present folder. About 5 minutes a target; with --guided 10, of all but trace. Needs a build
-    (scripts/build release; EHLWAVE_FUZZ_TARGET names the program of another build).
+    (scripts/build release --tests; EHLWAVE_FUZZ_TARGET names the program of another build).
 
     Exit status: 0 passed.
     """

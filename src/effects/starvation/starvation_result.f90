@@ -108,7 +108,7 @@ contains
    logical function lacks_oil_outside(self, grid)
       class(starvation_result_t), intent(in) :: self
       type(grid_t), intent(in) :: grid
-      lacks_oil_outside = ieee_is_finite(self%film_over_flooded)
+      lacks_oil_outside = ieee_is_finite(self%film_over_flooded) .and. ieee_is_finite(self%passage%meniscus_x)
       if (lacks_oil_outside) lacks_oil_outside = self%passage%meniscus_x < grid%x(0) + 1.5_dp*grid%hx
    end function lacks_oil_outside
 
@@ -168,7 +168,7 @@ contains
       end if
       changes = case%effects%starvation%layer_changes()
       if (changes) ratio%by_effect(k) = plan%expected%by_effect(k)   ! waves are measured with another layer
-      if (changes .or. .not. ieee_is_finite(self%passage%meniscus_x)) return
+      if (changes .or. .not. (ieee_is_finite(self%passage%meniscus_x) .and. ieee_is_finite(ratio%mesh))) return
       distance = max(plan%hx, -1 - self%passage%meniscus_x)
       if (ratio%mesh > 0) ratio%by_effect(k) = expected_meniscus_error(plan%hx/distance)
    end subroutine add_errors

@@ -12,7 +12,7 @@ module ehlwave_touching_account_result
    use ehlwave_touching_state, only: touching_state_t
    implicit none (type, external)
    private
-   public :: state_of
+   public :: error_of, state_of
 
    !> Values of one solution, or means over the time that is measured.
    type, public :: touching_values_t
@@ -126,6 +126,7 @@ contains
       if (size(levels) > 1) self%is_artefact = self%is_artefact .and. levels(1)%share < levels(2)%share
    end subroutine estimate
 
+   !> Difference to the next wider mesh, or a quarter of the difference before where that is more.
    pure real(dp) function error_of(values) result(error)
       real(dp), intent(in) :: values(:)                   !! the finest first
       error = abs(values(1) - values(2))

@@ -13,6 +13,7 @@ from ehlwave.cli.arguments.identify import add_identify_command
 from ehlwave.cli.arguments.replenish import add_replenish_command
 from ehlwave.cli.arguments.results import add_results_commands
 from ehlwave.cli.arguments.stress import add_stress_command
+from ehlwave.cli.arguments.stribeck import add_stribeck_command
 from ehlwave.cli.arguments.traction import add_traction_command
 from ehlwave.cli.command_line import Parser, as_options, with_ratio
 from ehlwave.cli.named_files import inputs
@@ -74,6 +75,7 @@ def command_parser() -> argparse.ArgumentParser:
     add_replenish_command(commands)
     add_identify_command(commands)
     add_traction_command(commands)
+    add_stribeck_command(commands)
     add_cache_command(commands)
     add_element_commands(commands)
     add_app_command(commands)

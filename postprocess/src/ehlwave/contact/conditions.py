@@ -184,9 +184,19 @@ class Conditions:
         return FILM_BAR / self.film_ratio if self.is_starved else 0.0
 
     @property
+    def rolls(self) -> bool:
+        """Whether both surfaces have one speed, S = 1."""
+        return self.slip_parameter == 1
+
+    @property
+    def slide_to_roll_ratio(self) -> float:
+        """Return the difference of the surface speeds over the mean speed, 2 (S - 1)."""
+        return 2 * (self.slip_parameter - 1)
+
+    @property
     def has_atlas(self) -> bool:
         """Whether it has an atlas: pure rolling, or a kind of sliding contact with an atlas."""
-        return self.slip_parameter == 1 or self.has_sliding_atlas or self.is_newtonian_line
+        return self.rolls or self.has_sliding_atlas or self.is_newtonian_line
 
     @property
     def is_newtonian_line(self) -> bool:
@@ -203,7 +213,7 @@ class Conditions:
         """Whether the atlas of sliding contacts applies: a shear-thinning Ree-Eyring oil."""
         if self.oil.name != "Ree-Eyring":
             return False
-        return self.slip_parameter != 1 or self.film_loss > NEARLY_NEWTONIAN
+        return not self.rolls or self.film_loss > NEARLY_NEWTONIAN
 
     @property
     def film_loss(self) -> float:
@@ -221,7 +231,7 @@ class Conditions:
     @property
     def rolling_film_error(self) -> float:
         """Return by how much less than in pure rolling the film may be, relative: oils thin."""
-        is_thinned = self.slip_parameter != 1 and self.oil.name != "Newtonian"
+        is_thinned = not self.rolls and self.oil.name != "Newtonian"
         return THINNING_ERROR if is_thinned else 0.0
 
     def atlas_keys(self) -> dict[str, float]:
@@ -235,7 +245,7 @@ class Conditions:
         }
         if self.is_line:
             del keys["radius_ratio_d"]
-        if self.is_newtonian_line and self.slip_parameter != 1:
+        if self.is_newtonian_line and not self.rolls:
             keys["slip_parameter"] = self.slip_parameter
         if self.oil.name == "Ree-Eyring" and self.oil.stress_modulus_pa2 is not None:
             keys["slip_parameter"] = self.slip_parameter

@@ -6,7 +6,7 @@ from typing import Any
 
 from ehlwave.contact.conditions import MOES_KEYS, Conditions
 from ehlwave.contact.conditions_from_moes import conditions_from_moes
-from ehlwave.contact.data_errors import DATA_ERRORS
+from ehlwave.contact.data_errors import DATA_ERRORS, OF_ERRORS, OIL_ERRORS
 from ehlwave.contact.line_contact import LINE_KEYS, LOAD_KEY
 from ehlwave.contact.moes_parameters import DIMENSIONAL_KEYS, moes_values
 from ehlwave.contact.oil_keys import OIL_KEYS
@@ -48,8 +48,9 @@ def conditions_from_keys(
         ``central_film_m``, which replaces the film thickness formula where it is better known; of a
         Ree-Eyring oil ``eyring_stress_pa``, of a Carreau oil ``carreau_modulus_pa`` and
         ``carreau_exponent`` (with M, L and D also ``reduced_modulus_pa``), of which and of
-        ``roelands_index`` waves under slip depend. Relative errors of the oil's data,
-        ``viscosity_error`` and ``pressure_viscosity_error``, count in that of the film. Of a
+        ``roelands_index`` waves under slip depend. Relative standard errors
+        of data (``viscosity_error``, ``load_error`` and others of
+        :mod:`ehlwave.contact.data_errors`) count in that of the film. Of a
         starved contact ``oil_over_flooded``.
     place : str
         Begins every message.
@@ -167,4 +168,8 @@ def _checked(keys: Mapping[str, Any], place: str) -> dict[str, float]:
         if key in DATA_ERRORS and found >= 1:
             raise SurfaceError(f"{place}: {key} = {value} is relative: 0.1 is 10 %; give 0 to 1")
         values[key] = found
+    for error in values:
+        keys_of = OF_ERRORS.get(error, ())
+        if error not in OIL_ERRORS and keys_of and not any(key in values for key in keys_of):
+            raise SurfaceError(f"{place}: {error} is that of {keys_of[0]}: give it, too")
     return values

@@ -84,7 +84,7 @@ def given_of(every: Mapping[str, Any], place: str) -> Given:
     }
     conditions = conditions_from_keys(keys, place=place)
     _check_flow_law(every.get(FLOW_LAW), conditions.oil.name, place)
-    laws, parameters = _other_laws(every, conditions.slip_parameter != 1, place)
+    laws, parameters = _other_laws(every, not conditions.rolls, place)
     viscosity = str(every.get("viscosity_law", "")).lower()
     if viscosity in OWN_COEFFICIENT and ALPHA not in keys:
         raise SurfaceError(

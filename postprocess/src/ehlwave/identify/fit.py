@@ -75,7 +75,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Identified:
-    """What measured values imply.
+    """Result of a fit.
 
     Attributes
     ----------

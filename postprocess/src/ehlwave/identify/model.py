@@ -22,10 +22,10 @@ VISCOSITY, DECAY = "viscosity_pa_s", "viscosity_temperature_per_k"
 WAVES = ("wavelength_over_a", "orientation")
 NOT_OF_LAWS = ("cells_x", "cells_y", "accuracy", "sensitivities", "tolerance", *WAVES)
 STEP = 1e-3
-"""Of ln(key) in differences of laws, whose numbers are smooth to single precision."""
+"""Step of ln(key) in differences of laws, whose numbers are smooth to single precision."""
 USABLE = ("converged", "unresolved", "inaccurate")
 CELLS, LINE_CELLS = 128, 512
-"""Of contacts whose input has none, which the program computes."""
+"""Cells of computed contacts whose input has none."""
 
 
 def at_temperature(keys: Keys, reference_k: float | None) -> dict[str, Any]:

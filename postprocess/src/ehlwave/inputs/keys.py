@@ -295,6 +295,13 @@ class ContactKeys(TypedDict, total=False):
     """exponent n of the shear rate; 1: Newtonian"""
     viscosity_error: SupportsFloat
     pressure_viscosity_error: SupportsFloat
+    load_error: SupportsFloat
+    speed_error: SupportsFloat
+    radius_x_error: SupportsFloat
+    radius_y_error: SupportsFloat
+    modulus_error: SupportsFloat
+    roelands_error: SupportsFloat
+    eyring_stress_error: SupportsFloat
     slip_parameter: SupportsFloat
     """slip parameter S = u1/ubar; speed of the wavy surface over the mean speed"""
     slide_to_roll_ratio: SupportsFloat

@@ -123,7 +123,7 @@ def _central_error(found: Result) -> float:
 def _friction(c: Conditions, found: Result) -> float | None:
     """Return the size of the friction coefficient; None in pure rolling."""
     value = found.get("friction_coefficient")
-    return None if value is None or c.slip_parameter == 1 else abs(float(value))
+    return None if value is None or c.rolls else abs(float(value))
 
 
 def _by_data(
@@ -140,7 +140,7 @@ def _by_data(
         ("viscosity_pa_s", "viscosity_error"),
         ("pressure_viscosity_per_pa", "pressure_viscosity_error"),
     ):
-        if given.get(error) and key in given and c.slip_parameter != 1:
+        if given.get(error) and key in given and not c.rolls:
             values = given | {key: given[key] * (1 + given[error])}
             oil = c.oil
             if key == "pressure_viscosity_per_pa":

@@ -90,7 +90,7 @@ class ComputedTransfer(AtlasTransfer):
     def __init__(
         self, conditions: Conditions, heat: Heat | None = None, progress: Following = None
     ) -> None:
-        if conditions.is_starved and conditions.slip_parameter != 1:
+        if conditions.is_starved and not conditions.rolls:
             raise RangeError(
                 "waves on a starved contact need pure rolling (slip_parameter = 1): under slip the "
                 "two layers of oil move apart, which neither laws nor programs have"
@@ -253,7 +253,7 @@ class ComputedTransfer(AtlasTransfer):
 
     def _frozen_error(self, rows: Sequence[Result]) -> float:
         c = self._conditions
-        slides = c.slip_parameter != 1 and c.oil.name == "Newtonian"
+        slides = not c.rolls and c.oil.name == "Newtonian"
         factor = NEWTONIAN_FROZEN if slides else 1.0
         found = [float(row.get("frozen_heat_error") or 0.0) * factor for row in rows]
         return max((one for one in found if math.isfinite(one)), default=0.0)

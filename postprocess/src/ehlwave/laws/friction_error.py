@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from ehlwave.contact.conditions import Conditions
-from ehlwave.contact.data_errors import DATA_ERRORS, film_change
+from ehlwave.contact.data_errors import OIL_ERRORS, film_change
 from ehlwave.laws.sheared_film import Sliding
 
 
@@ -36,7 +36,7 @@ def error_by_data(
         Relative.
     """
     given = dict(conditions.given)
-    errors = [float(given.get(key, 0.0)) for key in DATA_ERRORS] + [conductivity_error]
+    errors = [float(given.get(key, 0.0)) for key in OIL_ERRORS] + [conductivity_error]
     if not any(errors):
         return 0.0
     start, most, least = friction(case, 1.0), 1.0, 1.0

@@ -159,7 +159,7 @@ def sliding_film(conditions: Conditions, eyring_stress_pa: float, film_m: float)
         semi_axis_a_m=conditions.semi_axis_a_m,
         film_m=film_m,
         mean_speed_m_per_s=float(given["mean_speed_m_per_s"]),
-        slide_to_roll_ratio=2 * (conditions.slip_parameter - 1),
+        slide_to_roll_ratio=conditions.slide_to_roll_ratio,
         viscosity_pa_s=float(given["viscosity_pa_s"]),
         pressure_viscosity_per_pa=conditions.oil.pressure_viscosity_per_pa,
         roelands_index=conditions.oil.roelands_index,
@@ -175,7 +175,7 @@ def warmed(
 
     Arguments as in :func:`ehlwave.laws.heated_contact.heated`, which refuses others.
     """
-    given, ratio = dict(conditions.given), 2 * (conditions.slip_parameter - 1)
+    given, ratio = dict(conditions.given), conditions.slide_to_roll_ratio
     u, error = float(given["mean_speed_m_per_s"]), heat.oil_conductivity_error
     over_c = film_m / float(conditions.hertz_approach_c_m or np.nan)
 

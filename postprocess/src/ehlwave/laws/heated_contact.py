@@ -59,7 +59,7 @@ def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float |
         "pressure_viscosity_per_pa": [oil.pressure_viscosity_per_pa],
         "roelands_index": [oil.roelands_index],
         "eyring_stress_pa": [] if stress_pa is None else [stress_pa],
-        "abs(slide_to_roll_ratio)": [2 * abs(conditions.slip_parameter - 1)],
+        "abs(slide_to_roll_ratio)": [abs(conditions.slide_to_roll_ratio)],
         "film over Hertz approach": [film_m / float(conditions.hertz_approach_c_m or np.nan)],
         "eta0 beta u^2/k": [loading_of(conditions, heat)],
         "effusivity of a body": [body.effusivity for body in heat.bodies],

@@ -208,7 +208,7 @@ def inlet_warming(
     else:
         beta, k = heat.viscosity_temperature_per_k, heat.oil_conductivity_w_per_m_k
         slow = sum(0.5 / body.effusivity for body in heat.bodies)
-    ratio, thick = 2 * (conditions.slip_parameter - 1), film / conditions.hertz_approach_c_m
+    ratio, thick = conditions.slide_to_roll_ratio, film / conditions.hertz_approach_c_m
     loading = float(thermal_loading(eta, beta, u, k))
     wall = _wall(k, slow, film, conditions.semi_axis_a_m, u)
     factor = float(inlet_factor(loading, ratio, wall, thick, conditions.d))

@@ -25,7 +25,7 @@ def isothermal_error_by_data(
         semi_axis_a_m=1.0,
         film_m=film_moes * speed_2u**0.5,
         mean_speed_m_per_s=speed_2u * modulus / 2,
-        slide_to_roll_ratio=2 * (conditions.slip_parameter - 1),
+        slide_to_roll_ratio=conditions.slide_to_roll_ratio,
         viscosity_pa_s=1.0,
         pressure_viscosity_per_pa=oil.pressure_viscosity_per_pa,
         roelands_index=oil.roelands_index,

@@ -193,7 +193,7 @@ def others_of(conditions: Conditions) -> list[Transfer]:
     """Return the transfers of laws that are shown beside an answer, for comparison."""
     if conditions.is_starved:
         return []
-    rolls = conditions.slip_parameter == 1
+    rolls = conditions.rolls
     found = []
     for name in ("atlas", *(("recommended", "paper") if rolls else ("two-waves",))):
         with contextlib.suppress(RangeError, SurfaceError):
@@ -204,7 +204,7 @@ def others_of(conditions: Conditions) -> list[Transfer]:
 def _advice(asked: Asked, by: str | None) -> str:
     """Return the end of a refusal: which laws answer when named, and how to compute."""
     c = asked.conditions
-    law = "recommended" if c.slip_parameter == 1 else "two-waves"
+    law = "recommended" if c.rolls else "two-waves"
     named = "" if c.is_starved or c.is_line else f" A law is used when named: by={law!r}."
     compute = "" if by == "laws" else _to_compute(asked)
     return f".{named}{compute}{see('atlas')}"

@@ -24,7 +24,7 @@ from ehlwave.laws.transfer import Waves
 def check_starved(conditions: Conditions) -> None:
     """Raise RangeError where the law of starved contacts has no film."""
     c = conditions
-    if c.slip_parameter != 1:
+    if not c.rolls:
         raise RangeError(UNDER_SLIP)
     if c.is_line:
         raise RangeError(

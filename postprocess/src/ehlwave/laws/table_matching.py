@@ -28,7 +28,7 @@ def matching_rows(rows: pd.DataFrame, conditions: Conditions, name: str) -> pd.D
     Raises SurfaceError if there are none, naming the key and both values; if the remaining rows
     differ in a key that the contact does not set, or have two responses to a wave.
     """
-    slides = conditions.slip_parameter != 1 and conditions.oil.stress_modulus_pa2 is not None
+    slides = not conditions.rolls and conditions.oil.stress_modulus_pa2 is not None
     if slides and "flow_law" not in rows:
         raise SurfaceError(
             f"{name}: has no column flow_law, so that it may be of another oil than this contact, "

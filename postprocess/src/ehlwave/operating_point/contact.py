@@ -25,6 +25,8 @@ from ehlwave.surface.read import ReadOptions, read_surface
 from ehlwave.surface.surface import Surface
 
 if TYPE_CHECKING:
+    import pandas as pd
+
     from ehlwave.stress.rough import RoughStress
 
 
@@ -50,8 +52,11 @@ class Contact(WavyContact):
         ``radius_x_m`` where metres are asked for;
         ``pressure_viscosity_per_pa`` (2.2e-8) and ``roelands_index`` (0.68) of the oil;
         ``slip_parameter`` (1) of the rough surface, or ``slide_to_roll_ratio`` (0); of a Ree-Eyring
-        oil ``eyring_stress_pa``; relative errors of the oil, ``viscosity_error`` and
-        ``pressure_viscosity_error``, which films carry. ``oil_over_flooded``, r, of a starved
+        oil ``eyring_stress_pa``; relative standard errors of
+        data, which films carry (:meth:`error_budget` has friction, too): ``viscosity_error``,
+        ``pressure_viscosity_error``, ``load_error``, ``speed_error``, ``radius_x_error``,
+        ``radius_y_error``, ``modulus_error``, ``roelands_error``, ``eyring_stress_error``.
+        ``oil_over_flooded``, r, of a starved
         contact that rolls: film and waves by the laws of :mod:`ehlwave.contact.starvation`. Plain
         numbers are SI; quantities of pint are converted. From two bodies: :meth:`from_bodies`.
 
@@ -210,6 +215,77 @@ class Contact(WavyContact):
         found = DeformedPair(self._deformed(surface, **options), other._deformed(second, **options))
         warn(found.doubts)
         return found
+
+    def sensitivities(self, by: str | None = None) -> pd.DataFrame:
+        """Return d ln(result)/d ln(key) of film and friction by every key of the contact.
+
+        Parameters
+        ----------
+        by : {"laws", "computed"}, optional
+            As of :meth:`film`: the laws, by centred differences, or the gradients of
+            ``ehlwave-case``.
+
+        Returns
+        -------
+        pandas.DataFrame
+            A row for each key; columns ``central_film``, ``minimum_film`` and ``friction``. NaN:
+            the result is not known.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127,
+        ...     reduced_modulus_pa=2.26e11, load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
+        >>> print(f"{contact.sensitivities().central_film['mean_speed_m_per_s']:.2f}")
+        0.67
+        """
+        from ehlwave.operating_point.gradients import sensitivities
+
+        return sensitivities(self, by)
+
+    def error_budget(
+        self,
+        surface: Surface | SurfaceSource | None = None,
+        by: str | None = None,
+        **options: Any,  # noqa: ANN401
+    ) -> pd.DataFrame:
+        """Return what the errors of the data do to film, friction and lambda ratio.
+
+        Parameters
+        ----------
+        surface : Surface, path, array or topography, optional
+            With it, the lambda ratio of :meth:`lambda_ratio` is among the results.
+        by : {"laws", "computed"}, optional
+            As of :meth:`sensitivities`.
+        **options
+            Of :meth:`deform`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            A row for each key with an error, the most important one for the first result first,
+            and a last one, ``total``. Columns: ``error``, the relative standard error of the data;
+            for each result its relative standard error by it, and ``RESULT_share``, the share of
+            its variance. Errors are independent: squares add.
+
+        Raises
+        ------
+        SurfaceError
+            If no error of data is given.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127,
+        ...     reduced_modulus_pa=2.26e11, load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05,
+        ...     pressure_viscosity_error=0.15, viscosity_error=0.05, load_error=0.1)
+        >>> budget = contact.error_budget()
+        >>> print(f"{budget.central_film['total']:.2f}, most by {budget.index[0]}")
+        0.10, most by pressure_viscosity_per_pa
+        """
+        from ehlwave.operating_point.gradients import error_budget
+
+        return error_budget(self, surface, by, options)
 
     def exchanged(self) -> Contact:
         """Return the same contact with the other body first, which moves with 2 - S.

@@ -98,7 +98,7 @@ def stress_of_contact(
 
 def _friction(contact: OperatingPoint, by: str | None) -> float | None:
     """Return the friction coefficient by the law asked for; 0 in pure rolling, None: not known."""
-    if contact.conditions.slip_parameter == 1:
+    if contact.conditions.rolls:
         return 0.0
     try:
         return contact.film(by if by in FILM_BY else None).friction

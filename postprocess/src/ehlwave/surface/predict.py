@@ -19,6 +19,7 @@ from ehlwave.laws.transfer import FormulaBasis, Transfer
 from ehlwave.quantities import number, plain
 from ehlwave.shown import Shown, micrometres, within
 from ehlwave.surface.prepare import Form, Window, extended, judged_part, remove_form
+from ehlwave.surface.removal import Band
 from ehlwave.surface.rough_pressure import ripple_of
 from ehlwave.surface.roughness import gaussian_filtered, roughness_parameters
 from ehlwave.surface.spectrum import Spectrum, Unjudged
@@ -68,6 +69,8 @@ class Deformed(Shown):
         transfer has none.
     transfer : Transfer or None
         Its transfer.
+    bands : list of Band
+        Gradient of the lambda ratio by the waves of each band, the band to remove first first.
     """
 
     surface: Surface
@@ -83,6 +86,7 @@ class Deformed(Shown):
     error_m: float | None = None
     cutoffs_m: Cutoffs = (None, None)
     transfer: Transfer | None = field(default=None, repr=False, compare=False)
+    bands: list[Band] = field(default_factory=list, repr=False)
 
     def _shown_rows(self) -> dict[str, str]:
         """Return the results of the prediction."""
@@ -237,6 +241,7 @@ def deform_surface(
         error_m=error_m,
         cutoffs_m=cutoffs_m,
         transfer=chosen,
+        bands=cover.bands.gradients(statistics),
     )
 
 

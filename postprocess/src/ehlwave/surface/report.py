@@ -16,6 +16,7 @@ from ehlwave.surface.answer import LIMITS_TEXT, answer_of
 from ehlwave.surface.narrower import narrower
 from ehlwave.surface.pair import PairStatistics
 from ehlwave.surface.predict import Deformed
+from ehlwave.surface.removal import removal_text
 from ehlwave.surface.spectrum import Component
 from ehlwave.surface.statistics import FilmStatistics
 from ehlwave.writing import Writer
@@ -61,6 +62,8 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         )
     if s.mean_film_m is not None:
         lines += _film_lines(result)
+    for place, text in enumerate(removal_text(result.bands)):
+        lines.append(f"{'Remove first' if place == 0 else '            '} {text}")
     if step := narrower(result):
         lines.append(f"To narrow    {step}")
     for other in others:
@@ -154,6 +157,7 @@ def report_json(result: Deformed) -> str:
         "statistics": asdict(result.statistics),
         "parameters": result.parameters,
         "error_m": result.error_m,
+        "remove_first": [asdict(band) for band in result.bands],
         "not_judged": [asdict(group) for group in result.unjudged],
         "warnings": result.warnings,
     }

@@ -95,9 +95,7 @@ def pressure_waves(
     found = transfer.error(per_x, per_y)
     error = np.full(per_x.shape, USUAL_ERROR) if found is None else np.asarray(found)
     attenuated, psi = response.copy(), number_x.astype(complex)
-    moves = (number_x > 0) & (
-        conditions.slip_parameter != 1 and not isinstance(transfer, FormulaBasis)
-    )
+    moves = (number_x > 0) & (not conditions.rolls and not isinstance(transfer, FormulaBasis))
     if np.any(moves):
         a_m, slip = conditions.semi_axis_a_m, conditions.slip_parameter
         medium = conditions.medium(slip)

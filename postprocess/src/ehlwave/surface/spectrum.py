@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from ehlwave.contact.conditions import Conditions
 from ehlwave.laws.transfer import Transfer, shorter_than_contact
 from ehlwave.shown import Shown, micrometres
+from ehlwave.surface.removal import Bands
 
 Floats = NDArray[np.float64]
 
@@ -122,6 +123,7 @@ class Coverage:
         self.total = Tally()
         self.long = Tally()
         self.outside = Tally()
+        self.bands = Bands()
         self._error_square = 0.0
 
     def add(self, qx: Floats, qy: Floats, before: Floats, after: Floats) -> None:

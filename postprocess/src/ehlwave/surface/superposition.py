@@ -50,6 +50,7 @@ def superposed(
         cover.add(along, across, before, after)
         mean_square += before.sum()
         of_wave = transfer.rise(along, across)
+        cover.bands.add(along, across, before, after, of_wave)
         # A wave of amplitude A has a mean square of A^2/2.
         rise += math.nan if of_wave is None else 2 * (of_wave * before).sum()
         part *= _real_at_nyquist(ratio, block, nx).astype(part.dtype)

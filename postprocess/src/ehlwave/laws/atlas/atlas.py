@@ -115,7 +115,7 @@ def kind_for(conditions: Conditions) -> Kind:
     RangeError
         Of a line contact under slip in an oil that is neither Ree-Eyring's nor Newtonian.
     """
-    keys, rolls = conditions.atlas_keys(), conditions.slip_parameter == 1
+    keys, rolls = conditions.atlas_keys(), conditions.rolls
     if conditions.is_line and not conditions.has_atlas:
         raise RangeError(ROLLS_ALONE)
     if conditions.has_sliding_atlas and not rolls:
@@ -131,7 +131,7 @@ def thinned_kind(conditions: Conditions) -> Kind | None:
 
     None under slip, where :func:`kind_for` has it, and where there is none.
     """
-    if conditions.slip_parameter != 1 or not conditions.has_sliding_atlas:
+    if not conditions.rolls or not conditions.has_sliding_atlas:
         return None
     keys = conditions.atlas_keys()
     kinds = _sliding_kinds(conditions)

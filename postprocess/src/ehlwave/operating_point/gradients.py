@@ -1,0 +1,159 @@
+"""Derivatives of a contact's results by its keys, and what errors of the keys do to the results."""
+
+import math
+import warnings
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import pandas as pd
+
+from ehlwave.contact.data_errors import OF_ERRORS
+from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
+
+if TYPE_CHECKING:
+    from ehlwave.laws.answers import Film
+    from ehlwave.operating_point.smooth import SmoothContact
+
+RESULTS = ("central_film", "minimum_film", "friction")
+PROGRAM_RESULTS = {
+    "central_film": "central_film",
+    "minimum_film": "minimum_film",
+    "friction": "friction_coefficient",
+}
+"""Results by their names in the program."""
+
+LAMBDA = "lambda_ratio"
+STEP = 1e-3
+"""Step of ln(key) in differences of laws."""
+DEFAULTS = {"pressure_viscosity_per_pa": 2.2e-8, "roelands_index": 0.68}
+KEYS = (
+    *("radius_x_m", "radius_y_m", "reduced_modulus_pa", "load_n", "load_n_per_m"),
+    *("mean_speed_m_per_s", "viscosity_pa_s", "load_parameter_m", "lubricant_parameter_l"),
+    *("radius_ratio_d", "slip_parameter", "slide_to_roll_ratio", "pressure_viscosity_per_pa"),
+    *("roelands_index", "eyring_stress_pa", "oil_over_flooded"),
+)
+CELLS, LINE_CELLS = 128, 512
+
+Results = Mapping[str, float]
+
+
+def sensitivities(contact: "SmoothContact", by: str | None = None) -> pd.DataFrame:
+    """Return the result of :meth:`ehlwave.Contact.sensitivities`."""
+    keys = _keys(contact)
+    try:
+        if by == "computed":
+            raise RangeError("computed")
+        rows = {key: _slope(contact, key, value, _by_laws) for key, value in keys.items()}
+    except RangeError:
+        if by == "laws":
+            raise
+        rows = _by_program(contact, keys)
+    return pd.DataFrame.from_dict(rows, orient="index", columns=list(RESULTS))
+
+
+def error_budget(
+    contact: "SmoothContact",
+    surface: Any,  # noqa: ANN401 - a surface or a source of one
+    by: str | None,
+    options: Mapping[str, Any],
+) -> pd.DataFrame:
+    """Return the result of :meth:`ehlwave.Contact.error_budget`."""
+    errors = given_errors(contact)
+    if not errors:
+        raise SurfaceError(
+            "error_budget: the contact has no errors of data: give viscosity_error, "
+            "pressure_viscosity_error, load_error or others"
+        )
+    powers = sensitivities(contact, by).reindex(list(errors))
+    if surface is not None:
+        keys = _keys(contact)
+
+        def ratio(other: Any) -> Results:  # noqa: ANN401 - a Contact
+            return {LAMBDA: other.lambda_ratio(surface, **options)}
+
+        powers[LAMBDA] = [_slope(contact, key, keys[key], ratio)[LAMBDA] for key in errors]
+    table = pd.DataFrame({"error": errors})
+    for name in powers:
+        if powers[name].notna().any():
+            table[name] = powers[name].abs() * table["error"]
+    results = [name for name in table if name != "error"]
+    table = table.sort_values(results[0], ascending=False)
+    table.loc["total"] = [np.nan, *(math.hypot(*table[name].dropna()) for name in results)]
+    for name in results:
+        table[f"{name}_share"] = (table[name] / table.loc["total", name]) ** 2
+    return table
+
+
+def given_errors(contact: "SmoothContact") -> dict[str, float]:
+    """Return the relative standard errors of data by the keys that they belong to."""
+    given, keys = dict(contact._given.given), _keys(contact)
+    return {
+        next(key for key in of if key in keys): float(given[error])
+        for error, of in OF_ERRORS.items()
+        if given.get(error) and any(key in keys for key in of)
+    }
+
+
+def _keys(contact: "SmoothContact") -> dict[str, float]:
+    """Return the numbers that the results depend on; those of pure rolling without their slip."""
+    given = {**DEFAULTS, **contact._keys}
+    found = {key: float(given[key]) for key in KEYS if key in given and float(given[key])}
+    if str(given.get("viscosity_law", "roelands")) != "roelands":
+        found.pop("roelands_index", None)
+    return found
+
+
+def _slope(
+    contact: "SmoothContact", key: str, value: float, results: Callable[["SmoothContact"], Results]
+) -> dict[str, float]:
+    """Return d ln(result)/d ln(key) of all results, to one side where the other has no answer."""
+    ends: dict[int, Results] = {}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ExtrapolationWarning)
+        for side in (1, -1):
+            try:
+                ends[side] = results(contact.replace(**{key: value * math.exp(side * STEP)}))
+            except (RangeError, SurfaceError):
+                continue
+        if not ends:
+            raise RangeError(f"no law holds beside {key} = {value:g}")
+        if len(ends) == 1:
+            ends[0] = results(contact)
+    (first, low), (last, high) = sorted(ends.items())
+    return {
+        name: math.log(abs(high[name] / low[name])) / ((last - first) * STEP)
+        if high[name] and low[name]
+        else math.nan
+        for name in low
+    }
+
+
+def _by_laws(contact: "SmoothContact") -> Results:
+    film: Film = contact._film("laws")
+    in_metres = film.central_m is not None
+    central = film.central_m if in_metres else film.central_moes
+    minimum = film.minimum_m if in_metres else film.minimum_moes
+    found = {"central_film": central, "minimum_film": minimum, "friction": film.friction}
+    return {name: math.nan if value is None else value for name, value in found.items()}
+
+
+def _by_program(contact: "SmoothContact", keys: Mapping[str, float]) -> dict[str, dict[str, float]]:
+    from ehlwave.cases.case import Case
+    from ehlwave.programs.case_input import case_keys
+
+    c = contact._given
+    cells = {"cells_x": LINE_CELLS} if c.is_line else {"cells_x": CELLS, "cells_y": CELLS}
+    given = {key: value for key, value in case_keys(c, contact.heat).items() if value is not None}
+    found = Case(**{**cells, **given, "sensitivities": True})._json()
+    return {
+        key: {
+            name: _number(found.get(f"sensitivity_{own}_{key}"))
+            for name, own in PROGRAM_RESULTS.items()
+        }
+        for key in keys
+    }
+
+
+def _number(value: float | None) -> float:
+    return math.nan if value is None else float(value)

@@ -1,0 +1,116 @@
+"""Gradient of the lambda ratio by the spectrum of a surface: which waves to remove first."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ehlwave.surface.statistics import FilmStatistics
+
+Floats = NDArray[np.float64]
+
+DIRECTIONS = ("transverse", "oblique", "longitudinal")
+"""Angles between wave vector and rolling: 0 to 30, 30 to 60, 60 to 90 degrees."""
+OCTAVE = 2.0
+"""Longest over shortest wavelength of a band."""
+
+
+@dataclass(frozen=True)
+class Band:
+    """Waves of similar length and direction.
+
+    Attributes
+    ----------
+    shortest_m, longest_m : float
+        Wavelengths along the wave vector.
+    direction : str
+        ``"transverse"``: across rolling, ``"oblique"``, or ``"longitudinal"``: ridges along it.
+    share_before, share_after : float
+        Of the mean square of the heights before, and in the contact.
+    gradient : float
+        d ln(lambda ratio)/d ln(amplitude of these waves). Below 0: less of them raises lambda.
+    lambda_without : float
+        Lambda ratio without them.
+    """
+
+    shortest_m: float
+    longest_m: float
+    direction: str
+    share_before: float
+    share_after: float
+    gradient: float
+    lambda_without: float
+
+
+class Bands:
+    """Mean squares before and after, and shares of the rise of the mean film, of all bands."""
+
+    def __init__(self) -> None:
+        """Begin with none."""
+        self._sums: dict[tuple[int, int], Floats] = {}
+
+    def add(
+        self, qx: Floats, qy: Floats, before: Floats, after: Floats, rise: Floats | None
+    ) -> None:
+        """Add a block: waves per metre along x (rows) and y (columns), mean squares, m^2."""
+        q = np.hypot(qx, qy)
+        is_wave = q > 0
+        octave = np.zeros(q.shape, dtype=int)
+        octave[is_wave] = np.floor(np.log2(1 / q[is_wave])).astype(int)
+        angle = np.degrees(np.arctan2(np.abs(qy), np.abs(qx)))
+        turn = np.minimum(angle // 30, 2).astype(int) * np.ones(q.shape, dtype=int)
+        risen = np.zeros_like(before) if rise is None else 2 * rise * before
+        place = len(DIRECTIONS) * (octave - octave.min()) + turn
+        count = int(place.max()) + 1
+        sums = [
+            np.bincount(place[is_wave], part[is_wave], count) for part in (before, after, risen)
+        ]
+        for one in np.flatnonzero(sums[0]):
+            key = int(one) // len(DIRECTIONS) + int(octave.min()), int(one) % len(DIRECTIONS)
+            self._sums[key] = self._sums.get(key, np.zeros(3)) + [part[one] for part in sums]
+
+    def gradients(self, statistics: FilmStatistics) -> list[Band]:
+        """Return the bands, the one that lowers the lambda ratio most first.
+
+        With the mean film h, smooth film plus rises, and the mean square m of the deformed heights,
+        d ln(lambda)/d ln(A) = 2 rise/h - m_band/m.
+        """
+        ratio, film = statistics.lambda_ratio_after, statistics.mean_film_m
+        sums = np.array(list(self._sums.values()))
+        if ratio is None or film is None or not len(sums) or not sums[:, 1].sum() > 0:
+            return []
+        whole = sums.sum(axis=0)
+        risen = statistics.mean_rise_m or 0.0
+        bands = []
+        for (octave, turn), (before, after, rise) in self._sums.items():
+            lift = risen * rise / whole[2] if whole[2] else 0.0
+            rest = max(whole[1] - after, 0.0) / whole[1]
+            without = (film - lift) / film / math.sqrt(rest) if rest > 0 else math.inf
+            bands.append(
+                Band(
+                    shortest_m=OCTAVE**octave,
+                    longest_m=OCTAVE ** (octave + 1),
+                    direction=DIRECTIONS[turn],
+                    share_before=float(before / whole[0]),
+                    share_after=float(after / whole[1]),
+                    gradient=float(2 * lift / film - after / whole[1]),
+                    lambda_without=float(ratio * without),
+                )
+            )
+        return sorted(bands, key=lambda band: band.gradient)
+
+
+def removal_text(bands: list[Band], most: int = 3, least: float = 0.02) -> list[str]:
+    """Return lines of a report: the bands to remove first."""
+    chosen = [band for band in bands[:most] if band.gradient < -least]
+    return [
+        f"{band.shortest_m * 1e6:.3g} to {band.longest_m * 1e6:.3g} um, {band.direction}: 1 % less "
+        f"amplitude gives {-band.gradient:.2g} % more lambda"
+        + (
+            f"; without them it is {band.lambda_without:.3g}"
+            if math.isfinite(band.lambda_without) and band.lambda_without < 1e3
+            else ""
+        )
+        for band in chosen
+    ]
