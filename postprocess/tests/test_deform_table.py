@@ -5,9 +5,10 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from contact import experiment
+from contact import EXPERIMENT, experiment
 from synthetic import make_columns, write_results
 
+import ehlwave
 from ehlwave.cli import main
 from ehlwave.contact.formula import amplitude_ratio_formula, f_of_r
 from ehlwave.errors import SurfaceError
@@ -69,6 +70,49 @@ def test_a_table_of_the_formula_gives_the_formula(tmp_path: Path) -> None:
     qx, qy = np.cos(angle) / wave, np.sin(angle) / wave
     assert transfer.is_covered(qx, qy).all()
     np.testing.assert_allclose(transfer.ratio(qx, qy), exact.ratio(qx, qy), rtol=0, atol=2e-4)
+
+
+def test_a_table_answers_at_every_door_with_its_error(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "table.csv"
+    table().assign(transfer_error=0.01).to_csv(path, index=False)
+    keys = EXPERIMENT | {"radius_y_m": 0.05}
+    contact = ehlwave.Contact(**keys, table=path)
+    response = contact.response(0.3)
+    f_v = 0.3 * CONTACT.v_per_wavelength * CONTACT.semi_axis_a_m
+    assert response.film.real == pytest.approx(amplitude_ratio_formula(f_v), abs=2e-4)
+    assert 0.01 <= response.error < 0.012  # the waves, and the interpolation between them
+    assert contact.responses([0.3, 0.5], [0, 45])["film_error"].max() < 0.03
+    x = np.arange(600) * 1e-6
+    trace = trace_surface(20e-9 * np.cos(2 * np.pi * x / 60e-6), 1e-6, "x", "waves")
+    found = contact.deform(trace)
+    assert found.transfer_name.startswith("harmonic table table.csv")
+    assert 0.005 < found.error_m / found.statistics.rq_before_m < 0.015
+    assert contact.stress(trace).surfaces[0].transfer_name == found.transfer_name
+    np.savetxt(tmp_path / "t.csv", np.column_stack([x, trace.height[:, 0]]), delimiter=",")
+    words = [f"{key}={value}" for key, value in keys.items()]
+    words = [str(tmp_path / "t.csv"), "--conditions", *words, "--table", str(path), "--json"]
+    for command in ("lambda", "stress"):
+        assert main([command, *words, "--length-unit", "m", "--height-unit", "m"]) == 0
+        assert "harmonic table table.csv" in capsys.readouterr().out
+    pytest.importorskip("panel")
+    from ehlwave.app.contacts import Given
+    from ehlwave.app.task import Task, answered
+    from ehlwave.app.uploads import Upload
+
+    upload = Upload("table.csv", path.read_bytes())
+    surface = Upload("t.csv", (tmp_path / "t.csv").read_bytes())
+    reading = {"length_unit": "m", "height_unit": "m"}
+    page = answered(Task(Given(keys), surface, reading, {}, upload))
+    assert page.found is not None
+    ratios = [one.statistics.lambda_ratio_after for one in (page.found, found)]
+    assert ratios[0] == pytest.approx(ratios[1], rel=1e-6)
+    without = path.with_name("without.csv")
+    table().to_csv(without, index=False)
+    assert np.isnan(ehlwave.Contact(**keys, table=without).response(0.3).error)
+    with pytest.raises(ehlwave.RangeError, match="there is no harmonic table"):
+        ehlwave.Contact(**keys).response(0.3, by="table")
 
 
 def test_r_and_amplitude_columns_mean_the_same(tmp_path: Path) -> None:

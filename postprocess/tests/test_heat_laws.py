@@ -40,7 +40,7 @@ def test_the_independent_solver() -> None:
     cold = {
         (r["mean_speed_m_per_s"], r["slide_to_roll_ratio"]): r for r in rows if not r["thermal"]
     }
-    compared = 0
+    cold_errors = []
     for row in (row for row in rows if row["thermal"]):
         keys = ("radius_x_m", "reduced_modulus_pa", "load_n_per_m", "mean_speed_m_per_s")
         keys += ("viscosity_pa_s", "pressure_viscosity_per_pa", "roelands_index")
@@ -53,15 +53,20 @@ def test_the_independent_solver() -> None:
         without = cold[row["mean_speed_m_per_s"], row["slide_to_roll_ratio"]]
         found = warmed(c, heat, without["central_film_m"], row["eyring_stress_pa"])
         film = row["central_film_m"] / without["central_film_m"]
-        assert found.film_factor == pytest.approx(film, rel=min(found.film_error, 0.03))
+        assert found.film_factor == pytest.approx(film, rel=min(found.film_error, 0.01))
         smallest = row["minimum_film_m"] / without["minimum_film_m"]
-        assert found.minimum_factor == pytest.approx(smallest, rel=min(found.minimum_error, 0.04))
+        # At 5 m/s the film is as thick as the approach, 2.5 times as thick as in any contact of
+        # the fit; with most sliding the smallest film is 3.7 % off there, elsewhere 1.3 %.
+        is_far = row["mean_speed_m_per_s"] == 5 and row["slide_to_roll_ratio"] == 0.6
+        bar = 0.04 if is_far else 0.02
+        assert found.minimum_factor == pytest.approx(smallest, rel=min(found.minimum_error, bar))
         if row["slide_to_roll_ratio"] and row["mean_speed_m_per_s"] == 1:
             assert found.friction == pytest.approx(row["friction_coefficient"], rel=FRICTION_BAR)
             friction = without["friction_coefficient"]
             assert found.isothermal_friction == pytest.approx(friction, rel=COLD_BAR)
-            compared += 1
-    assert compared == 3
+            cold_errors.append(abs(found.isothermal_friction / friction - 1))
+    assert len(cold_errors) == 3
+    assert max(cold_errors) > 0.85 * COLD_BAR  # the record alone asks for 0.013
 
 
 def test_coefficients_and_bars_are_those_of_the_record() -> None:
@@ -70,7 +75,6 @@ def test_coefficients_and_bars_are_those_of_the_record() -> None:
     used = FRICTION_COEFFICIENTS
     assert used == tuple(float(laws["friction"][f"c{i + 1}"]) for i in range(len(used)))
     assert 0.85 * FRICTION_BAR < float(laws["friction"]["within_95"]) < FRICTION_BAR
-    # The independent solver asks for more than the record.
     assert float(laws["friction without heat"]["within_95"]) < COLD_BAR
 
 

@@ -117,3 +117,16 @@ def judged(options: argparse.Namespace) -> int:
     steps.prepare(options.program)
     words = given(options, "output", "part", "contacts")
     return steps.report("judged", *words, *(("--write",) if options.write else ()))
+
+
+@study("answered", output("answered"))
+def answered(options: argparse.Namespace) -> int:
+    """Measure how long 24 contacts take, half of them hot or starved.
+
+    Film in at most 10 s and lambda ratio of a trace in at most 60 s of the processors, and at once
+    the second time. Writes answered.csv.
+
+    Exit status: 0 all contacts answered in time; 1 otherwise; 2 bad usage.
+    """
+    steps.prepare(options.program)
+    return steps.report("answered", *given(options, "output"))

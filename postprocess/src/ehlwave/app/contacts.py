@@ -9,6 +9,7 @@ from typing import Any
 
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.data_sheet import Oil
+from ehlwave.laws.table import HarmonicTable
 from ehlwave.operating_point import Contact
 
 Numbers = Mapping[str, Any]
@@ -29,21 +30,21 @@ class Given:
     """Arguments of :class:`ehlwave.Oil`; without any, `keys` contains the oil."""
 
 
-def made(given: Given) -> Contact:
-    """Return the contact.
+def made(given: Given, table: HarmonicTable | None = None) -> Contact:
+    """Return the contact, whose waves a harmonic table answers for where there is one.
 
     Raises ResultsError if something is missing or makes no sense.
     """
     oil = getattr(Oil, given.maker)(**given.oil) if given.maker else None
     if given.bodies is not None:
         first, second = (Body(**body) for body in given.bodies)
-        return Contact.from_bodies(first, second, oil=oil, **given.keys)
-    return Contact(**given.keys, **({} if oil is None else oil.keys()))
+        return Contact.from_bodies(first, second, oil=oil, table=table, **given.keys)
+    return Contact(table=table, **given.keys, **({} if oil is None else oil.keys()))
 
 
-def source(given: Given) -> str:
-    """Return Python that makes the contact."""
-    keys = dict(given.keys)
+def source(given: Given, table: str | None = None) -> str:
+    """Return Python that makes the contact; `table` names the file of a harmonic table."""
+    keys = dict(given.keys) | ({} if table is None else {"table": table})
     text = call(f"oil = ehlwave.Oil.{given.maker}", given.oil) if given.maker else ""
     if given.bodies is None:
         last = ["**oil.keys()"] if given.maker else []

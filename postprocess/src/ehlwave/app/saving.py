@@ -41,7 +41,8 @@ def document(answer: Answer) -> str:
 
 def script(answer: Answer) -> str:
     """Return a Python script that repeats the answer, beside the file of the surface."""
-    lines = [source(answer.task.given)]
+    table = answer.task.table
+    lines = [source(answer.task.given, None if table is None else file_name(table.name))]
     text = _HEAD
     if answer.film is not None:
         lines.append(_FILM)

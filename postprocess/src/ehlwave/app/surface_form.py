@@ -40,6 +40,7 @@ class SurfaceForm:
     def __init__(self) -> None:
         """Make the fields."""
         self.file = FileField(sizing_mode="stretch_width", margin=(4, 6))
+        self.table = FileField(sizing_mode="stretch_width", margin=(4, 6))
         self.length = select("Unit of lengths", list(UNITS))
         self.height = select("Unit of heights", list(UNITS))
         self.axis = select("Measured", {"along rolling": "x", "across rolling": "y"})
@@ -52,7 +53,10 @@ class SurfaceForm:
         self.cutoffs = [NumberField(one) for one in q.CUTOFFS]
         self.channel = text_field("Channel of heights", AS_FILE)
         numbers = [one.view for one in (self.step, *self.cutoffs)]
+        of_table = text_of("Harmonic table that judges the components, of ehlwave harmonics")
         more = pn.Card(
+            of_table,
+            self.table,
             in_rows([self.by, self.ends, self.decimal, self.missing, self.channel, *numbers]),
             title="More about the surface",
             collapsed=True,
@@ -60,10 +64,8 @@ class SurfaceForm:
             margin=(6, 4),
             styles=CARD,
         )
-        hint = pn.pane.HTML(
-            f"Trace or map, {LARGEST_MB} MB at most: text, NumPy, HDF5, SDF, SUR, PLU, X3P, ...",
-            margin=(4, 6, 0, 6),
-            styles={"font-size": "0.86em", "color": "#51626c"},
+        hint = text_of(
+            f"Trace or map, {LARGEST_MB} MB at most: text, NumPy, HDF5, SDF, SUR, PLU, X3P, ..."
         )
         few = in_rows([self.length, self.height, self.axis, self.form])
         self.view = section("Surface (optional)", hint, self.file, few, more)
@@ -95,7 +97,7 @@ class SurfaceForm:
     def widgets(self) -> list[Any]:
         """Return the fields to edit."""
         chosen = [self.length, self.height, self.axis, self.form, self.ends, self.by]
-        chosen += [self.decimal, self.missing, self.channel, self.file]
+        chosen += [self.decimal, self.missing, self.channel, self.file, self.table]
         return [*chosen, *widgets_of([self.step, *self.cutoffs])]
 
 
@@ -104,12 +106,14 @@ def task_of(contact: ContactForm, surface: SurfaceForm) -> Task:
 
     Raises SurfaceError if a file was refused, or a number of the surface is none.
     """
-    if surface.file.refused:
-        raise SurfaceError(f"the file: {surface.file.refused}")
+    for file in (surface.file, surface.table):
+        if file.refused:
+            raise SurfaceError(f"the file: {file.refused}")
     upload = surface.file.upload()
     if upload is None:
         return Task(contact.given())
-    return Task(contact.given(), upload, surface.reading(), surface.options())
+    reading, options = surface.reading(), surface.options()
+    return Task(contact.given(), upload, reading, options, surface.table.upload())
 
 
 def _numbers(field: NumberField) -> dict[str, float]:
@@ -119,6 +123,12 @@ def _numbers(field: NumberField) -> dict[str, float]:
             raise SurfaceError(f"{field.label}: {field.text.value!r} is not a number above 0")
         found[key] = value
     return found
+
+
+def text_of(text: str) -> pn.pane.HTML:
+    """Return a line of small text above a field."""
+    small = {"font-size": "0.86em", "color": "#51626c"}
+    return pn.pane.HTML(text, margin=(4, 6, 0, 6), styles=small)
 
 
 def _first(names: list[str], first: str) -> list[str]:

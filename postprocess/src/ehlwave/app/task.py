@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from ehlwave.app.contacts import Given, made
-from ehlwave.app.uploads import Upload, read_upload
+from ehlwave.app.uploads import Upload, read_table_upload, read_upload
 from ehlwave.choices import FILM_BY
 from ehlwave.errors import ExtrapolationWarning, RangeError
 from ehlwave.laws.answers import Film
@@ -37,6 +37,8 @@ class Task:
     options: Mapping[str, Any] = field(default_factory=dict)
     """`reading`, `options`: of :class:`ehlwave.surface.ReadOptions`, and of
     :meth:`ehlwave.Contact.deform`."""
+    table: Upload | None = None
+    """A harmonic table that answers for waves."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,8 @@ def answered(task: Task) -> Answer:
 
     Raises ResultsError if an input cannot be used, with the message of the command line.
     """
-    contact = made(task.given)
+    table = None if task.table is None else read_table_upload(task.table)
+    contact = made(task.given, table)
     found, pictures = None, {}
     film, outside = None, ""
     if task.upload is not None:

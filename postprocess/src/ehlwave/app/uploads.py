@@ -2,13 +2,17 @@
 
 import tempfile
 import zipfile
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 import h5py
 
 from ehlwave.errors import ResultsError, SurfaceError, printable
 from ehlwave.hdf5 import opened
+from ehlwave.laws.table import HarmonicTable
+from ehlwave.laws.table_read import read_table
 from ehlwave.surface.read import ReadOptions, read_surface
 from ehlwave.surface.surface import Surface
 from ehlwave.writing import Writer
@@ -46,22 +50,36 @@ def read_upload(upload: Upload, options: ReadOptions) -> Surface:
     Raises SurfaceError as :func:`ehlwave.read_surface`; or the file is too large for the page.
     """
     name = file_name(upload.name)
-    if len(upload.data) > LARGEST_BYTES:
-        raise SurfaceError(f"{name}: {too_large(len(upload.data))}")
-    with tempfile.TemporaryDirectory(prefix="ehlwave-app-") as folder:
-        path = Writer().data(Path(folder) / name, upload.data)
-        try:
-            _refuse_unpacked(path)
-            surface = read_surface(path, options)
-        except ResultsError as error:
-            # The command line also shows the given name.
-            raise SurfaceError(str(error).replace(f"{folder}/", "")) from None
+    surface: Surface = _read(upload, lambda path: read_surface(path, options))
     if surface.height.size > MOST_POINTS:
         raise SurfaceError(
             f"{name}: {surface.height.size} points, more than the {MOST_POINTS} that the page "
             "takes: use the command, ehlwave deform"
         )
     return surface
+
+
+def read_table_upload(upload: Upload) -> HarmonicTable:
+    """Return the harmonic table of a file, by the reader of the command line.
+
+    Raises SurfaceError as :func:`ehlwave.surface.read_table`; or the file is too large.
+    """
+    return HarmonicTable(_read(upload, read_table), file_name(upload.name))
+
+
+def _read(upload: Upload, reader: Callable[[Path], Any]) -> Any:  # noqa: ANN401 - of any reader
+    """Return the contents of a file, by a reader of the command line, from a private folder."""
+    name = file_name(upload.name)
+    if len(upload.data) > LARGEST_BYTES:
+        raise SurfaceError(f"{name}: {too_large(len(upload.data))}")
+    with tempfile.TemporaryDirectory(prefix="ehlwave-app-") as folder:
+        path = Writer().data(Path(folder) / name, upload.data)
+        try:
+            _refuse_unpacked(path)
+            return reader(path)
+        except ResultsError as error:
+            # The command line also shows the given name.
+            raise SurfaceError(str(error).replace(f"{folder}/", "")) from None
 
 
 def too_large(size: int, most_mb: int = LARGEST_MB) -> str:

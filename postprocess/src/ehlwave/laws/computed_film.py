@@ -9,13 +9,16 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import CONDUCTIVITY_ERROR, Heat
 from ehlwave.errors import ProgramError
 from ehlwave.laws.answers import Film
-from ehlwave.laws.heat_laws import Heated
+from ehlwave.laws.heat_laws import Heated, warmed
+from ehlwave.laws.isothermal_friction import isothermal_error_by_data
 from ehlwave.programs.case_input import case_keys
 from ehlwave.programs.computing import Result, run_case
 from ehlwave.programs.progress import Following
 
-ACCURACY = 0.005
-"""Relative error of the central film that is asked for."""
+ACCURACY, WARM_ACCURACY, DATA_ACCURACY = 0.005, 0.01, 0.03
+"""Relative errors of the central film that are asked for: without heat, with heat, and where only
+the effect of changed data counts. Halving it takes four times as long.
+"""
 MINIMUM_ERROR = 0.05
 """Error of the smallest film above which the grid is refined."""
 LARGEST_LINE = 8192
@@ -84,7 +87,8 @@ def smooth_case(
 ) -> Result:
     """Return the program's result; the grid is refined where the smallest film needs it."""
     keys = case_keys(conditions, heat)
-    found = run_case({**keys, "accuracy": ACCURACY}, progress)
+    accuracy = ACCURACY if heat is None else WARM_ACCURACY
+    found = run_case({**keys, "accuracy": accuracy}, progress)
     largest = LARGEST_GRID // (STARVED_SHARE if conditions.is_starved else 1)
     largest //= 1 if heat is None else WARM_SHARE
     while _number(found, "minimum_film_error") > MINIMUM_ERROR:
@@ -131,8 +135,8 @@ def _by_data(
 ) -> tuple[float, float]:
     """Return relative errors of film and friction by errors of the oil's data.
 
-    The film's share of viscosity and alpha is `oil_error`. Other shares are differences to contacts
-    computed with changed data.
+    The film's share of viscosity and alpha is `oil_error`. Other shares have a closed form for
+    Ree-Eyring oils, and are differences to contacts computed with changed data for others.
     """
     given = dict(c.given)
     changed: list[tuple[Conditions, Heat | None]] = []
@@ -151,14 +155,33 @@ def _by_data(
         conductivity = heat.oil_conductivity_w_per_m_k * more
         changed.append((c, replace(heat, oil_conductivity_w_per_m_k=conductivity)))
     film, friction = c.oil_error, 0.0
-    for one, its_heat in changed:
-        other = run_case({**case_keys(one, its_heat), "accuracy": ACCURACY}, progress)
+    if not changed:
+        return film, friction
+    if "eyring_stress_pa" in given:
+        return _by_laws(c, heat, found, float(given["eyring_stress_pa"]))
+    first, *others = (
+        run_case({**case_keys(one, its_heat), "accuracy": DATA_ACCURACY}, progress)
+        for one, its_heat in ((c, heat), *changed)
+    )
+    for (one, _), other in zip(changed, others, strict=True):
         if one is c:
-            film += abs(other["central_film_moes"] / found["central_film_moes"] - 1)
-        before, after = found.get("friction_coefficient"), other.get("friction_coefficient")
+            film += abs(other["central_film_moes"] / first["central_film_moes"] - 1)
+        before, after = first.get("friction_coefficient"), other.get("friction_coefficient")
         if before and after:
             friction += abs(after / before - 1)
     return film, friction
+
+
+def _by_laws(
+    c: Conditions, heat: Heat | None, found: Result, eyring_stress_pa: float
+) -> tuple[float, float]:
+    """Return the same errors by the closed forms of an even film, for Ree-Eyring oils."""
+    if heat is None:
+        film_moes = float(found["central_film_moes"])
+        return c.oil_error, isothermal_error_by_data(c, film_moes, eyring_stress_pa)
+    cold_m = found["isothermal_central_film"] * float(c.hertz_approach_c_m or math.nan)
+    law = warmed(c, heat, cold_m, eyring_stress_pa)
+    return c.oil_error + law.film_error_by_data, law.friction_error_by_data
 
 
 def _heated(

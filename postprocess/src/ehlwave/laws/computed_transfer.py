@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
@@ -15,6 +14,7 @@ from ehlwave.errors import RangeError
 from ehlwave.laws.answers import Response
 from ehlwave.laws.atlas.ranges import WAVE_RANGE
 from ehlwave.laws.atlas_transfer import SHORT_WAVE_POWER, AtlasTransfer
+from ehlwave.laws.computed_angles import map_of
 from ehlwave.laws.computed_film import computed_film
 from ehlwave.laws.computed_waves import (
     AMPLITUDE,
@@ -41,11 +41,17 @@ TOLERANCE, STARVED_TOLERANCE = 0.01, 0.02
 """Errors of the interpolation, absolute, below the errors of the atlases and of the law of starved
 contacts.
 """
+STARVED_WAVES, MOST_STARVED, FIRST_STARVED = (0.2, 4.0), 11, 5
+"""Wavelengths over a of starved contacts, their largest and first number. A shorter wave needs
+a grid that takes half a minute: it is continued, and its error covers this.
+"""
+STARVED_LONG, LONG_ACCURACY = 0.7, 0.2
+"""Wavelength over a from which on starved contacts have the second relative error: little is left
+of such waves, and a small relative error takes ten times as long.
+"""
 FINE = 161
 """Points of the tables that replace the splines."""
 LOGS = np.linspace(math.log(WAVE_RANGE[0]), math.log(WAVE_RANGE[1]), FINE)
-FIRST_ANGLES = (0.0, 45.0, 90.0)
-MOST_ANGLES = 9
 LINE_X = 1000.0
 """Wavelength along X, over a, of waves along a line contact: the program takes no infinite one."""
 MOST_FROZEN = 0.3
@@ -184,7 +190,10 @@ class ComputedTransfer(AtlasTransfer):
                 rows, ends, most, first = self._marches, MARCHED, MOST_MARCHED, FIRST
                 if not self._conditions.is_line:  # a march takes up to a minute
                     ends, most, first = MARCHED_ELLIPSE, MOST_ELLIPSE, FIRST_ELLIPSE
-            tolerance = STARVED_TOLERANCE if self._conditions.is_starved else TOLERANCE
+            tolerance = TOLERANCE
+            if self._conditions.is_starved:
+                tolerance, ends = STARVED_TOLERANCE, STARVED_WAVES
+                most, first = MOST_STARVED, FIRST_STARVED
             self._curves[angle] = refined(
                 lambda waves: rows(waves, angle), ends, tolerance, bases, most, first
             )
@@ -195,9 +204,13 @@ class ComputedTransfer(AtlasTransfer):
         keys, every = self._keys, self._columns(waves, angle)
         if 0 < angle < 90 or self._conditions.is_starved:  # products of cosines have another rise
             keys = keys | {"mean_rise": False}
+        if self._conditions.is_starved:  # the finest grid that a plan takes
+            keys = {key: value for key, value in keys.items() if key != "accuracy"}
+            for wave, columns in zip(waves, every, strict=True):
+                columns["accuracy"] = ACCURACY if wave < STARVED_LONG else LONG_ACCURACY
         rows = run_waves(keys, every, self._progress)
         self._judge_heat(rows)
-        if self._conditions.is_starved:  # the finest grid that a plan takes
+        if self._conditions.is_starved:
             return rows
         coarse = [k for k, row in enumerate(rows) if error_of(row) > LARGE_ERROR]
         finer = keys | {"accuracy": FINER_ACCURACY}
@@ -290,7 +303,9 @@ class ComputedTransfer(AtlasTransfer):
         one = float(angle[-1]) if np.all(angle == angle[-1]) else None
         key = "map" if one is None else f"{one:g}"
         if key not in self._lookups:
-            self._lookups[key] = self._map() if one is None else self._along(one)
+            self._lookups[key] = (
+                map_of(self._parts, LOGS, TOLERANCE) if one is None else self._along(one)
+            )
         return self._lookups[key]
 
     def _parts(self, angle: float) -> Waves:
@@ -306,55 +321,3 @@ class ComputedTransfer(AtlasTransfer):
     def _along(self, angle: float) -> Callable[[Waves, Waves], Waves]:
         logs, parts = LOGS, self._parts(angle)
         return lambda log, _: np.stack([np.interp(log, logs, part) for part in parts])
-
-    def _map(self) -> Callable[[Waves, Waves], Waves]:
-        """Return interpolation over angles, refined until its error is known.
-
-        Responses are even about both axes, so that a spline over the angle has no slope there.
-        """
-        tables = {angle: self._parts(angle) for angle in FIRST_ANGLES}
-        open_ = [(0.0, 45.0), (45.0, 90.0)]
-        while open_ and len(tables) < MOST_ANGLES:
-            low, high = open_.pop(0)
-            middle = (low + high) / 2
-            new = self._parts(middle)
-            expected = _over_angles(tables)(np.array([middle]))[0]
-            error = np.abs((expected[0] + 1j * expected[1]) - (new[0] + 1j * new[1]))
-            new[2] += error / 4
-            tables[middle] = new
-            if error.max() > 4 * TOLERANCE:
-                open_ += [(low, middle), (middle, high)]
-        for low, high in open_:  # a missing response counts as a difference of two
-            for end in (low, high):
-                other = high if end == low else low
-                gap = tables[low][:2] - tables[high][:2]
-                tables[other][2] += np.hypot(*gap) / 4
-        angles = np.linspace(0, 90, 91)
-        fine = _over_angles(tables)(angles)
-        logs = LOGS
-
-        def interpolate(log: Waves, angle: Waves) -> Waves:
-            u = np.clip((log - logs[0]) / (logs[1] - logs[0]), 0, FINE - 1)
-            v = np.clip(angle, 0, 90)
-            i, j = np.minimum(u.astype(int), FINE - 2), np.minimum(v.astype(int), 89)
-            u, v = u - i, v - j
-            low = fine[j, :, i] * (1 - u)[:, None] + fine[j, :, i + 1] * u[:, None]
-            high = fine[j + 1, :, i] * (1 - u)[:, None] + fine[j + 1, :, i + 1] * u[:, None]
-            return np.asarray((low * (1 - v)[:, None] + high * v[:, None]).T)
-
-        return interpolate
-
-
-def _over_angles(tables: dict[float, Waves]) -> Callable[[Waves], Waves]:
-    """Return interpolation over angles of tables: splines of films, straight lines of errors."""
-    angles = np.array(sorted(tables))
-    values = np.stack([tables[angle] for angle in angles])
-    spline = CubicSpline(angles, values[:, :2], bc_type="clamped")
-
-    def at(angle: Waves) -> Waves:
-        k = np.clip(np.searchsorted(angles, angle) - 1, 0, angles.size - 2)
-        share = ((angle - angles[k]) / (angles[k + 1] - angles[k]))[:, None, None]
-        rest = values[k, 2:] * (1 - share) + values[k + 1, 2:] * share
-        return np.concatenate([spline(angle), rest], axis=1)
-
-    return at

@@ -23,7 +23,7 @@ Floats = NDArray[np.float64]
 
 FRICTION_COEFFICIENTS = (0.25537, 0.67337, 0.25624, 0.42594, 0.23419, 0.36664, 56.145)
 """Coefficients of :func:`friction_factor`."""
-FRICTION_BAR, COLD_BAR = 0.12, 0.03
+FRICTION_BAR, COLD_BAR = 0.12, 0.029
 """Relative errors of friction with and without heat: 95 % of contacts held out are within. Errors
 of films come from :func:`ehlwave.laws.warm_films.film_error`."""
 ELLIPSE_BAR = 0.05
@@ -73,6 +73,8 @@ class Heated:
     friction_error : float or None
         Friction, relative: error of the law, and effect of errors of viscosity, pressure-viscosity
         coefficient and conductivity. The film error is added.
+    film_error_by_data, friction_error_by_data : float
+        Shares of `film_error` by the conductivity, and of `friction_error` by all data of the oil.
     rise_mid_film_k, rise_surfaces_k : float
         Rises at the centre of the contact, K; 0 where friction is not known.
     """
@@ -87,6 +89,8 @@ class Heated:
     isothermal_friction: float | None = None
     rise_mid_film_k: float = 0.0
     rise_surfaces_k: float = 0.0
+    film_error_by_data: float = 0.0
+    friction_error_by_data: float = 0.0
 
 
 def wedge(heat: Heat, slide_to_roll_ratio: float, rise_surfaces_k: float) -> float:
@@ -223,16 +227,19 @@ def warmed(
 
     warmth = heat.viscosity_temperature_per_k * warm.rise_surfaces_k
     by_shape = 0.0 if conditions.is_line else ELLIPSE_BAR
+    friction_by_data = error_by_data(conditions, case_warm, friction, error)
     return Heated(
         film,
         inlet,
         film * smallest_of(warmth),
         *errors_of(warmth),
         warm.friction * factor(warm, film, loading),
-        FRICTION_BAR + by_shape + error_by_data(conditions, case_warm, friction, error),
+        FRICTION_BAR + by_shape + friction_by_data,
         cold.friction * factor(cold, 1.0, 0.0),
         warm.rise_mid_film_k,
         warm.rise_surfaces_k,
+        by_data,
+        friction_by_data,
     )
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from ehlwave.choices import LAWS, chosen
 from ehlwave.contact.conditions import Conditions
-from ehlwave.errors import RangeError, SurfaceError, see
+from ehlwave.errors import ProgramError, RangeError, SurfaceError, see
 from ehlwave.inputs.slip import RATIO, ratio_of
 from ehlwave.laws.answers import Film
 from ehlwave.laws.asked import Asked
@@ -28,7 +28,7 @@ from ehlwave.laws.starved_transfer import StarvedTransfer
 from ehlwave.laws.table import TableTransfer
 from ehlwave.laws.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.laws.two_wave_transfer import TwoWaveTransfer
-from ehlwave.laws.warm_waves import WarmTransfer, thinner, warmth_of
+from ehlwave.laws.warm_waves import BEYOND, MORE_ERROR, NEWTONIAN, WarmTransfer, thinner, warmth_of
 from ehlwave.programs.case_input import case_keys, case_text
 from ehlwave.programs.programs import has_programs
 
@@ -83,6 +83,25 @@ def _two_waves(asked: Asked) -> Transfer:
     return transfer
 
 
+def _warm_computed(asked: Asked) -> Transfer:
+    """Return the law of warm waves with the rises of the computed film.
+
+    The isothermal responses are those of the first law that holds.
+    """
+    if asked.heat is None:
+        raise RangeError("the law of warm waves is for contacts with heat")
+    film, slip = film_for(asked), asked.conditions.slip_parameter
+    if slip != 1 and (film.heated is None or film.heated.friction is None):
+        film = film_for(asked, "computed")
+    if film.heated is None:
+        raise RangeError("the central film is given, without the rises of the oil")
+    warmth = warmth_of(film, asked.heat, slip)
+    thin = thinner(asked.conditions, film.heated.film_factor)
+    doubts = NEWTONIAN if slip != 1 and asked.conditions.oil.name == "Newtonian" else BEYOND
+    cold = asked.cold()
+    return WarmTransfer(transfer_for(cold), transfer_for(cold.of(thin)), warmth, doubts, MORE_ERROR)
+
+
 def _computed(asked: Asked) -> Transfer:
     return ComputedTransfer(asked.conditions, asked.heat)
 
@@ -91,11 +110,15 @@ def _paper(asked: Asked) -> Transfer:
     return FormulaTransfer(asked.conditions, *(asked.coefficients or ()))
 
 
+WARM = "warm"
+"""Law that cannot be named: the film is computed where no law has it."""
+
 LIST = (
     Law("table", _table, is_for_starved=True),
     Law("starved", _starved, is_for_starved=True),
     Law("atlas", _atlas),
     Law("two-waves", _two_waves),
+    Law(WARM, _warm_computed, is_for_starved=True, is_isothermal=False),
     Law("computed", _computed, is_for_starved=True, is_isothermal=False),
     Law("recommended", lambda asked: RecommendedTransfer(asked.conditions), is_unasked=False),
     Law("paper", _paper, is_unasked=False),
@@ -132,11 +155,15 @@ def transfer_for(asked: Asked, by: str | None = None) -> Transfer:
             continue
         if law.name == "table" or (law.name == "starved" and not is_starved):
             continue
-        if law.name == "computed" and (by == "laws" or not has_programs()):
+        if law.name == WARM and asked.heat is None:
+            continue
+        if law.name in (WARM, "computed") and (by == "laws" or not has_programs()):
             continue
         try:
             return _warm(asked, law)
-        except (RangeError, SurfaceError) as error:
+        except (RangeError, SurfaceError, ProgramError) as error:
+            if law.name == "computed" and isinstance(error, ProgramError):
+                raise
             reasons.append(str(error))
     raise RangeError("; or ".join(dict.fromkeys(reasons)) + _advice(asked, by))
 

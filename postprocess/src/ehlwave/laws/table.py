@@ -22,8 +22,10 @@ class HarmonicTable:
     name: str = "table"
 
 
-def harmonic_table_of(given: str | Path | pd.DataFrame) -> HarmonicTable:
+def harmonic_table_of(given: str | Path | pd.DataFrame | HarmonicTable) -> HarmonicTable:
     """Return the harmonic table of a file, or of rows of :func:`ehlwave.surface.read_table`."""
+    if isinstance(given, HarmonicTable):
+        return given
     if isinstance(given, pd.DataFrame):
         return HarmonicTable(given)
     return HarmonicTable(read_table(given), Path(given).name)

@@ -32,6 +32,12 @@ Floats = NDArray[np.float64]
 
 FILM_POWER = 0.67
 """Power of the viscosity in the film."""
+NEWTONIAN = 2.0
+"""Factor on the error under slip in Newtonian oils, which the marches of the fit do not have."""
+BEYOND, MORE_ERROR = 1.5, 0.02
+"""Factor on the error, and further error, of contacts outside the ranges of the laws of heat. Three
+marches of catalogue contacts are off by 0.027, 0.028 and 0.081, of errors 0.14, 0.044 and 0.10.
+"""
 MOST_WARMTH = 3.0
 """From which on the error does not grow."""
 
@@ -104,6 +110,8 @@ class WarmTransfer:
     cold: Transfer
     thin: Transfer
     warmth: float
+    error_factor: float = 1.0
+    more_error: float = 0.0
 
     @property
     def name(self) -> str:
@@ -148,7 +156,8 @@ class WarmTransfer:
             return None
         both = [one.ratio(per_length_x, per_length_y) for one in (self.cold, self.thin)]
         waves = np.hypot(per_length_x, per_length_y) > 0  # the mean is not deformed
-        return np.asarray(own + waves * warm_error(both[1] - both[0], self.warmth))
+        warm = self.error_factor * warm_error(both[1] - both[0], self.warmth) + self.more_error
+        return np.asarray(own + waves * warm)
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether both transfers are known there."""

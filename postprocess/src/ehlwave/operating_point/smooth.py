@@ -23,7 +23,7 @@ from ehlwave.laws.film_answer import with_film
 from ehlwave.laws.heated_contact import check_heat
 from ehlwave.laws.law_list import film_for, transfer_for
 from ehlwave.laws.notices import warn
-from ehlwave.laws.table import harmonic_table_of
+from ehlwave.laws.table import HarmonicTable, harmonic_table_of
 from ehlwave.laws.transfer import Transfer
 from ehlwave.quantities import number
 from ehlwave.shown import html_table, within
@@ -44,7 +44,7 @@ class SmoothContact:
         *,
         atlas: str | Path | None = None,
         heat: Heat | None = None,
-        table: str | Path | pd.DataFrame | None = None,
+        table: str | Path | pd.DataFrame | HarmonicTable | None = None,
         **keys: Unpack[ContactKeys],
     ) -> None:
         """Check the keys and find M, L and D."""
@@ -130,7 +130,7 @@ class SmoothContact:
         Contact(M=200, L=10, D=1, S=1)
         """
         own: dict[str, Any] = {"heat": self._heat, "atlas": self._atlas}
-        own |= {"table": None if self._table is None else self._table.rows, **self._keys}
+        own |= {"table": self._table, **self._keys}
         if RATIO in changes:
             own.pop(SLIP, None)
         if SLIP in changes:
@@ -148,6 +148,7 @@ class SmoothContact:
         oil: DataSheetOil | None = None,
         atlas: str | Path | None = None,
         heat: Heat | bool | None = None,
+        table: str | Path | pd.DataFrame | HarmonicTable | None = None,
         **keys: Any,  # noqa: ANN401
     ) -> Self:
         """Return the contact of two bodies, the rough body first.
@@ -201,7 +202,7 @@ class SmoothContact:
         found, names = contact_keys(body1, body2, oil, keys)
         if heat is True:
             heat = heat_of(oil, (body1, body2))
-        contact = cls(atlas=atlas, heat=None if heat is False else heat, **found)
+        contact = cls(atlas=atlas, heat=None if heat is False else heat, table=table, **found)
         contact._given = replace(contact._given, names=tuple(names))
         contact._poisson_ratio = body1.poisson_ratio, body2.poisson_ratio  # type: ignore[assignment]
         return contact
