@@ -3,7 +3,7 @@
 import argparse
 import math
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -26,81 +26,37 @@ from ehlwave.results.figures import write_figure
 from ehlwave.writing import Writer
 from studies import heat_films
 from studies.folds import held_out
+from studies.heated_contacts import (
+    DENSITY,
+    EVEN_RANGES,
+    EXPANSION,
+    MORE,
+    contact,
+    dimensional_keys,
+    write_more,
+)
 from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
 
 Floats = NDArray[np.float64]
 
-RANGES = {
-    "radius_x_m": (4e-3, 4e-2),
-    "reduced_modulus_pa": (1.1e11, 3.2e11),
-    "hertz_pa": (3e8, 1.8e9),
-    "mean_speed_m_per_s": (0.2, 30.0),
-    "viscosity_pa_s": (3e-3, 0.2),
-    "eyring_stress_pa": (2e6, 1.5e7),
-    "body_conductivity_w_per_m_k": (0.5, 60.0),
-    "slide_to_roll_ratio": (0.01, 1.9),
-}
-"""Drawn evenly in their logarithms."""
-EVEN_RANGES = {
-    "pressure_viscosity_per_pa": (1.1e-8, 2.6e-8),
-    "roelands_index": (0.4, 0.7),
-    "temperature_k": (293.0, 383.0),
-    "viscosity_temperature_per_k": (0.015, 0.07),
-    "oil_conductivity_w_per_m_k": (0.11, 0.17),
-    "oil_heat_capacity_j_per_kg_k": (1700.0, 2400.0),
-}
-ROLLING_SHARE = 0.3
-UNLIKE_SHARE = 0.3
-"""Share of contacts with unlike conductivities."""
-WIDE_RADII, WIDE_UNLIKE_SHARE = (4e-3, 1e-1), 0.5
-"""Ranges of the contacts of this study."""
 LINE_CELLS = 12
 """Cells of a line contact over the cells of a point contact."""
 FITTED_LOADING = 4.0
 """Largest L_t of the contacts that the laws are fitted to."""
+ROLLING_LOADING = 8.0
+"""Largest L_t of contacts that roll."""
 LOADS, OILS = (5.0, 1500.0), (2.0, 20.0)
 """M and L of the contacts that are taken."""
-DENSITY, EXPANSION = 870.0, 7e-4
 FOLDS = 20
 """Parts of the contacts, each predicted by a fit to the others."""
 ROBUST = {"loss": "soft_l1", "f_scale": 0.03}
 """How laws are fitted."""
 LARGEST_ERROR = 0.03
 """Error of films and friction of computed contacts; coarser contacts are left out."""
+RATIO_ERROR = 0.15
+"""Error of heavy films of bearings, whose ratio to the cold film on the same grid counts."""
 THICKEST = 0.4
 """Film by the formula over the Hertz approach; thicker films are rather rigid."""
-
-
-def contact(rng: np.random.Generator, is_line: bool, is_wide: bool = False) -> Row:
-    """Return a contact drawn from the ranges, or the wide ranges; for a point contact also D."""
-    radii = {"radius_x_m": WIDE_RADII} if is_wide else {}
-    unlike = WIDE_UNLIKE_SHARE if is_wide else UNLIKE_SHARE
-    row: Row = {
-        name: low * (high / low) ** rng.random() for name, (low, high) in (RANGES | radii).items()
-    } | {name: low + (high - low) * rng.random() for name, (low, high) in EVEN_RANGES.items()}
-    if rng.random() < ROLLING_SHARE:
-        row["slide_to_roll_ratio"] = 0.0
-    other = row["body_conductivity_w_per_m_k"]
-    if rng.random() < unlike:
-        low, high = RANGES["body_conductivity_w_per_m_k"]
-        other = low * (high / low) ** rng.random()
-    row["body2_conductivity_w_per_m_k"] = other
-    hertz, load = row.pop("hertz_pa"), "load_n_per_m" if is_line else "load_n"
-    if not is_line:
-        row["radius_y_m"] = row["radius_x_m"] / 0.2 ** rng.random()
-    one = conditions_from_keys({**dimensional_keys(row), load: 1.0}).hertz_pa
-    row[load] = (hertz / one) ** (2 if is_line else 3)
-    return {name: float(f"{value:.4g}") for name, value in row.items()}
-
-
-def dimensional_keys(row: Mapping[str, float]) -> dict[str, float]:
-    """Return the keys of conditions."""
-    names = (
-        *("radius_x_m", "radius_y_m", "reduced_modulus_pa", "load_n", "load_n_per_m"),
-        *("mean_speed_m_per_s", "viscosity_pa_s", "slide_to_roll_ratio", "eyring_stress_pa"),
-        *("pressure_viscosity_per_pa", "roelands_index"),
-    )
-    return {name: row[name] for name in names if name in row}
 
 
 def contacts(count: int, is_line: bool) -> list[Row]:
@@ -116,8 +72,9 @@ def contacts(count: int, is_line: bool) -> list[Row]:
     return rows
 
 
-def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
-    """Write the sweeps of line and of elliptical contacts."""
+def write_cases(folder: Path, lines: int, points: int, more: int, cells: int) -> None:
+    """Write the sweeps of line and of elliptical contacts, of bearings and of thick films."""
+    write_more(folder, more, has_cold=True)
     oil = {"flow_law": "eyring"}
     heat = {"oil_density_kg_per_m3": DENSITY, "oil_expansion_per_k": EXPANSION}
     grid = {"x_min": -4.5, "x_max": 2.0, "edges": "flooded", "cells_x": LINE_CELLS * cells}
@@ -134,17 +91,21 @@ def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
 def usable(folder: Path) -> pd.DataFrame:
     """Return the contacts that converged on a grid that resolves them, with the input of laws."""
     rows = []
-    for name in ("lines", "points"):
+    for name in ("lines", "points", *MORE):
+        largest = RATIO_ERROR if name == "bearings" else LARGEST_ERROR
         pairs = zip(read_sweep(folder, name), read_sweep(folder, f"{name}_cold"), strict=True)
         for case, cold in pairs:
-            if case["status"] != "converged" or not case["central_film_error"] < LARGEST_ERROR:
+            if case["status"] != "converged" or not case["central_film_error"] < largest:
                 continue
             ratio = 2 * (case["slip_parameter"] - 1)
             if ratio and not case["friction_error"] < LARGEST_ERROR:
                 case = {**case, "friction_coefficient": math.nan}
             thinner = case["minimum_film"] / cold["minimum_film"]
-            is_known = case["minimum_film_error"] < LARGEST_ERROR and cold["status"] == "converged"
-            rows.append(_compared(case, ratio) | {"smallest": thinner if is_known else math.nan})
+            is_known = case["minimum_film_error"] < largest and cold["status"] == "converged"
+            rows.append(
+                _compared(case, ratio)
+                | {"smallest": thinner if is_known else math.nan, "group": name}
+            )
     return pd.DataFrame(rows)
 
 
@@ -176,6 +137,7 @@ def _compared(case: Row, ratio: float) -> Row:
         "wall": wall_parameter(heat, film_m, c.semi_axis_a_m, u),
         "film_over_approach": film_m / (c.hertz_approach_c_m or math.nan),
         "radius_ratio_d": c.d,
+        "m": c.m,
         "film": warm_m / film_m,
         "warmth": beta * walls if ratio else 0.0,
         "inlet": warm_m / film_m * (1 - EXPANSION * mean) / thicker,
@@ -209,10 +171,11 @@ def report(folder: Path) -> None:
     table = usable(folder)
     write_rows(folder / "contacts.csv", table.to_dict("records"), digits=5)
     fold = np.random.default_rng(1).permutation(len(table)) % FOLDS
-    names = ("loading", "ratio", "wall", "film_over_approach", "radius_ratio_d")
+    names = ("loading", "ratio", "wall", "film_over_approach", "radius_ratio_d", "m")
     inlet = inlet_factor(*(table[name].to_numpy() for name in names))
     rows = [_row("film, Gupta", None, gupta(table) - table["film"].to_numpy())]
-    of_law = (table["loading"] <= FITTED_LOADING).to_numpy()
+    rolls = table["ratio"] == 0
+    of_law = (table["loading"] <= np.where(rolls, ROLLING_LOADING, FITTED_LOADING)).to_numpy()
     films, found = heat_films.fit(table[of_law].assign(law=inlet[of_law]), fold[of_law])
     heat_films.write(found)
     write_rows(folder / "films.csv", films, digits=5)
@@ -230,8 +193,11 @@ def report(folder: Path) -> None:
     best, errors = held_out(friction, y, FRICTION_COEFFICIENTS, twice, **ROBUST)
     is_warm = np.arange(len(y)) >= len(slides)
     rows.append(_row("friction, even film", None, -y[is_warm]))
-    rows.append(_row("friction", best, errors[is_warm]))
-    rows.append(_row("friction without heat", best, errors[~is_warm]))
+    is_thick = np.tile((slides["film_over_approach"] > THICKEST).to_numpy(), 2)
+    rows.append(_row("friction", best, errors[is_warm & ~is_thick]))
+    rows.append(_row("friction without heat", best, errors[~is_warm & ~is_thick]))
+    rows.append(_row("friction, thick films", None, errors[is_warm & is_thick]))
+    rows.append(_row("friction without heat, thick films", None, errors[~is_warm & is_thick]))
     write_rows(folder / "laws.csv", rows, digits=5)
     for row in rows:
         print(
@@ -305,13 +271,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--lines", type=int, default=1200)
     parser.add_argument("--points", type=int, default=600)
+    parser.add_argument("--more", type=int, default=160)
     parser.add_argument("--cells", type=int, default=128)
     return run_command(parser, _run, arguments)
 
 
 def _run(options: argparse.Namespace) -> None:
     if options.step == "cases":
-        write_cases(options.folder, options.lines, options.points, options.cells)
+        write_cases(options.folder, options.lines, options.points, options.more, options.cells)
     else:
         report(options.folder)
 

@@ -42,7 +42,7 @@ def fit(table: pd.DataFrame, fold: NDArray[np.intp]) -> tuple[list[Row], dict[st
         fold[known],
         **ROBUST,
     )
-    kinds = 2 * is_line + (table["ratio"].to_numpy() > 0)
+    kinds = pd.factorize(table["group"] + (table["ratio"] > 0).astype(str))[0]
     loss = 1 / law - 1
     smallest = (1 + central[known]) * np.exp(smallest_off) - 1
     found = {

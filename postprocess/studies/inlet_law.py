@@ -15,7 +15,20 @@ from ehlwave.contact.heat_data import BodyHeat, Heat
 from ehlwave.laws.inlet_warming import inlet_factor, thermal_loading, wall_parameter
 from ehlwave.laws.sheared_film import Sheared
 from studies.folds import held_out
-from studies.heat import DENSITY, EVEN_RANGES, EXPANSION, contact, dimensional_keys
+from studies.heated_contacts import (
+    BEARING_LOADS,
+    BEARING_RATIOS,
+    DENSITY,
+    EVEN_RANGES,
+    EXPANSION,
+    MORE,
+    THICK_FILMS,
+    THICK_LOADS,
+    contact,
+    dimensional_keys,
+    loading_of,
+    write_more,
+)
 from studies.inlet_tables import write_tables
 from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
 
@@ -32,6 +45,8 @@ EVEN_SHARE, LARGEST_RATIO = 0.5, 1.9
 """Sliding contacts: this share is even in the ratio, the others are even in its logarithm."""
 LARGEST_ERROR = 0.03
 """Error of films of computed contacts; coarser contacts are left out."""
+RATIO_ERROR = 0.15
+"""Error of heavy films of bearings, whose ratio to the cold film on the same grid counts."""
 FOLDS = 20
 SHARE_WITHIN = 95
 """Percentage of contacts within the error."""
@@ -40,9 +55,16 @@ KNOWN = 0.01
 ROBUST = {"loss": "soft_l1", "f_scale": 1.0}
 ERROR_SLIP = (0.2, 1.0)
 """Slide-to-roll ratios above which the error has another share of the loss."""
-START = (0.25, 0.92, 1.0, 2.1, 6.1, 0.8, 0.3, -0.8, -1.8, 5.0)
+START = (0.25, 0.92, 1.0, 2.1, 6.1, 0.8, 0.3, -0.8, -1.8, 5.0, 0.0)
 OF_CONDITIONS = ("roelands_index", "pressure_viscosity_per_pa")
-COLUMNS = ("loading", "slide_to_roll_ratio", "wall", "film_over_approach", "radius_ratio_d")
+COLUMNS = (
+    "loading",
+    "slide_to_roll_ratio",
+    "wall",
+    "film_over_approach",
+    "radius_ratio_d",
+    "load_parameter_m",
+)
 """Input of the law."""
 
 
@@ -60,20 +82,15 @@ def contacts(count: int, is_line: bool) -> list[Row]:
             row["radius_y_m"] = float(f"{row['radius_x_m'] / d:.4g}")
         c = conditions_from_keys(dimensional_keys(row))
         film = (c.central_film_m or math.nan) / (c.hertz_approach_c_m or math.nan)
-        loading = thermal_loading(
-            row["viscosity_pa_s"],
-            row["viscosity_temperature_per_k"],
-            row["mean_speed_m_per_s"],
-            row["oil_conductivity_w_per_m_k"],
-        )
+        loading = loading_of(row)
         ranges = (LOADS[0] <= c.m <= LOADS[1], OILS[0] <= c.l <= OILS[1], film < THICKEST)
         if all(ranges) and LOADINGS[0] <= loading <= LOADINGS[1]:
             rows.append(row)
     return rows
 
 
-def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
-    """Write the sweeps of line and of elliptical contacts."""
+def write_cases(folder: Path, lines: int, points: int, more: int, cells: int) -> None:
+    """Write the sweeps of line contacts, of elliptical contacts, of bearings and of thick films."""
     groups = {
         "lubricant": {"flow_law": "eyring"},
         "heat": {"oil_density_kg_per_m3": DENSITY, "oil_expansion_per_k": EXPANSION},
@@ -83,16 +100,19 @@ def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
     grid = {"x_min": -5.0, "x_max": 1.5, "y_max": 3.0, "edges": "flooded"}
     grid |= {"cells_x": cells, "cells_y": cells}
     write_sweep(folder, "points", contacts(points, is_line=False), groups | {"grid": grid})
+    write_more(folder, more)
 
 
 def usable(folder: Path) -> pd.DataFrame:
     """Return the input of the law for contacts that converged on a resolving grid."""
     rows = []
-    for name in ("lines", "points"):
+    for name in ("lines", "points", *MORE):
+        largest = RATIO_ERROR if name == "bearings" else LARGEST_ERROR
         for case in read_sweep(folder, name):
-            if case["status"] == "converged" and case["central_film_error"] < LARGEST_ERROR:
+            if case["status"] == "converged" and case["central_film_error"] < largest:
                 rows.append(_compared(case))
-    return pd.DataFrame(rows)
+    table = pd.DataFrame(rows)
+    return table[table["loading"] <= LOADINGS[1]]
 
 
 def _compared(case: Row) -> Row:
@@ -142,7 +162,12 @@ def fit(table: pd.DataFrame) -> list[Row]:
         share = np.percentile(shares[groups == k], SHARE_WITHIN)
         rows.append({"name": f"error_share_{k + 1}", "value": float(share)})
     rows += [{"name": f"error_slip_{k + 1}", "value": slip} for k, slip in enumerate(ERROR_SLIP)]
-    ranges = {"m": LOADS, "l": OILS, "film": (0.0, THICKEST), "loading": (0.0, LOADINGS[1])}
+    ranges = {
+        "m": (THICK_LOADS[0], BEARING_LOADS[1]),
+        "l": OILS,
+        "film": (0.0, THICK_FILMS[1]),
+        "loading": (0.0, LOADINGS[1]),
+    }
     for name, (low, high) in ranges.items():
         rows += [
             {"name": f"lowest_{name}", "value": low},
@@ -150,7 +175,7 @@ def fit(table: pd.DataFrame) -> list[Row]:
         ]
     rows += [
         {"name": "known_loss", "value": KNOWN},
-        {"name": "lowest_d", "value": LOWEST_RATIO},
+        {"name": "lowest_d", "value": BEARING_RATIOS[0]},
         {"name": "largest_slide_roll", "value": LARGEST_RATIO},
     ]
     for name, part in (("rolling", slides == 0), ("sliding", slides > 0)):
@@ -177,13 +202,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--lines", type=int, default=400)
     parser.add_argument("--points", type=int, default=500)
+    parser.add_argument("--more", type=int, default=160)
     parser.add_argument("--cells", type=int, default=128)
     return run_command(parser, _run, arguments)
 
 
 def _run(options: argparse.Namespace) -> None:
     if options.step == "cases":
-        write_cases(options.folder, options.lines, options.points, options.cells)
+        write_cases(options.folder, options.lines, options.points, options.more, options.cells)
     else:
         report(options.folder)
 

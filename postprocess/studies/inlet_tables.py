@@ -25,7 +25,7 @@ USUAL = {
 2nd ed., 2004, chapter 4) and of bearing steel (46 W/(m K), 7800 kg/m3, 470 J/(kg K)).
 """
 LISTS = {
-    "coefficients": ("c{}", 10, "coefficients c1 to c10"),
+    "coefficients": ("c{}", 11, "coefficients c1 to c11"),
     "error_share": ("error_share_{}", 3, "error over the loss and known_loss, by the sliding"),
     "error_slip": (
         "error_slip_{}",

@@ -20,12 +20,13 @@ contains
 
    !> Share of the film that the warm inlet takes, y/(1 + y), theory eq. (T15):
    !>
-   !>     y = c1 L_t^c2 (1 + c3 s^c4) (1 + c5 B^c6) G^(c7 + c8 D) exp(c9 D),    G = H/(1 + c10 H^(3/2)).
+   !>     y = c1 L_t^c2 (1 + c3 s^c4) (1 + c5 B^c6) G^(c7 + c8 D) exp(c9 D) (M/100)^c11,    G = H/(1 + c10 H^(3/2)).
    elemental real(dp) function inlet_loss(inlet) result(loss)
       type(inlet_t), intent(in) :: inlet
       associate (i => inlet)
          loss = c(1)*i%loading**c(2)*(1 + c(3)*i%slide_roll**c(4))*(1 + c(5)*i%wall**c(6)) &
-                *(i%film/(1 + c(10)*i%film**1.5_dp))**(c(7) + c(8)*i%d)*exp(c(9)*i%d)
+                *(i%film/(1 + c(10)*i%film**1.5_dp))**(c(7) + c(8)*i%d)*exp(c(9)*i%d) &
+                *(i%m/100)**c(11)
       end associate
       loss = loss/(1 + loss)
    end function inlet_loss

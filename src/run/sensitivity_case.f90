@@ -17,7 +17,7 @@ module ehlwave_sensitivity_case
    use ehlwave_inlet_oil, only: inlet_oil_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_planned_case, only: case_plan_t
-   use ehlwave_response_gradient, only: differentiate_response
+   use ehlwave_response_gradient, only: differentiate_response, response_basis_t
    use ehlwave_rolling_result, only: rolling_coefficient
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_shear_stress, only: friction_of, knows_stress, shear_stress
@@ -165,13 +165,14 @@ contains
       type(case_result_t), intent(inout) :: result
       type(contact_variable_t), allocatable :: variables(:)
       type(harmonic_response_t) :: derivative
+      type(response_basis_t) :: basis
       integer :: n, x
 
       allocate (variables, source=all_variables(case, plan, steady))
       do n = 1, size(variables)
          if (steady%gradient%changes(n)%status /= status_converged) cycle
          call differentiate_response(steady%response, steady%multigrid%levels, response, plan%steps_per_cell, &
-            variables(n), steady%gradient%changes(n), steady%gradient%oil(:, n), derivative)
+            variables(n), steady%gradient%changes(n), steady%gradient%oil(:, n), basis, derivative)
          if (derivative%status /= status_converged) cycle
          x = n - size(result%by_key)
          if (x < 1) then

@@ -26,7 +26,8 @@ module ehlwave_touching_case
    public :: run_touching
 
    integer, parameter :: most_levels = 3       !! meshes
-   integer, parameter :: fewest_cells = 48     !! of a wider one
+   integer, parameter :: fewest_cells = 48     !! of a wider one,
+   integer, parameter :: fewest_point_cells = 16   !! and of an elliptical contact
 
 contains
 
@@ -50,13 +51,17 @@ contains
       result = blank_result(case, plan)
       levels = 1
       do while (levels < most_levels)
-         if (modulo(plan%cells_x, 2**levels) /= 0 .or. plan%cells_x/2**levels < fewest_cells) exit
+         if (modulo(plan%cells_x, 2**levels) /= 0) exit
+         if (plan%conditions%is_line() .and. plan%cells_x/2**levels < fewest_cells) exit
+         if (.not. plan%conditions%is_line() .and. (modulo(plan%cells_y, 2**(levels + 1)) /= 0 .or. &
+                                                    plan%cells_x/2**levels < fewest_point_cells)) exit
          levels = levels + 1
       end do
       has_coarser = .false.
       do n = levels, 1, -1
          level_case = case
          level_case%cells_x = plan%cells_x/2**(n - 1)
+         if (.not. plan%conditions%is_line()) level_case%cells_y = plan%cells_y/2**(n - 1)
          call make_plan(level_case, level_plan, error, plan%domain_scale)
          if (allocated(error)) cycle
          result%message = ''

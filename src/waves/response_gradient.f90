@@ -1,4 +1,7 @@
-!> Derivative of a linear response by input, theory eq. (W11): one solve of its system for each input.
+!> Derivatives of a linear response by inputs, theory eq. (W11).
+!>
+!> Inputs enter by few dimensionless numbers: a right side is reduced by those before it, as in
+!> `ehlwave_contact_gradient`, and its system is solved for the rest alone.
 module ehlwave_response_gradient
    use ehlwave_complex_wedge, only: wedge_t
    use ehlwave_contact_gradient, only: moved_state
@@ -22,11 +25,20 @@ module ehlwave_response_gradient
    private
    public :: differentiate_response
 
+   !> Right sides that are solved, orthonormal, and their solutions.
+   type, public :: response_basis_t
+      integer :: solves = 0                                        !! linear solves so far
+      complex(dp), allocatable, private :: sides(:, :)             ! (n, solved)
+      type(harmonic_response_t), allocatable, private :: responses(:)
+   contains
+      procedure :: solve
+   end type response_basis_t
+
 contains
 
    !> du1/dx of the response that `harmonic` found last.
    subroutine differentiate_response(harmonic, levels, response, steps_per_cell, variable, change, flooded_oil, &
-                                     derivative)
+                                     basis, derivative)
       type(harmonic_solver_t), intent(inout) :: harmonic   !! about `levels`, with its tangent
       type(level_t), intent(inout), target :: levels(:)
       type(harmonic_response_t), intent(in) :: response    !! u1, converged
@@ -34,6 +46,7 @@ contains
       type(contact_variable_t), intent(in) :: variable     !! x
       type(tangent_change_t), intent(in) :: change         !! du/dx, converged
       real(dp), intent(in) :: flooded_oil(:)               !! as in `residual_slope`
+      type(response_basis_t), intent(inout) :: basis       !! of this response
       type(harmonic_response_t), intent(out) :: derivative
       complex(dp), allocatable, target :: b(:)
       complex(dp), allocatable :: dh(:, :), dr(:, :), edge(:), film(:, :), pattern(:, :)
@@ -84,15 +97,65 @@ contains
          do i = 1, size(edge)
             r(finest%equations%edges%i(i), finest%equations%edges%j(i)) = edge(i)
          end do
-         if (maxval(abs(b)) > 0) then
-            call harmonic%respond_to(levels, b, derivative)
-         else
-            derivative = harmonic_response_t(status=status_converged, h=0*response%h, p=0*response%p)
-         end if
+         call basis%solve(harmonic, levels, b, derivative)
          derivative%h = derivative%h + dh
          call derivative%take_centre(level%problem%grid)
       end associate
    end subroutine differentiate_response
+
+   !> Change of the response for a right side: a sum of earlier ones, and a solve of the rest where that is above the
+   !> tolerance.
+   subroutine solve(self, harmonic, levels, b, derivative)
+      class(response_basis_t), intent(inout) :: self
+      type(harmonic_solver_t), intent(inout) :: harmonic
+      type(level_t), intent(inout), target :: levels(:)
+      complex(dp), intent(in), contiguous :: b(:)
+      type(harmonic_response_t), intent(out) :: derivative
+      type(harmonic_response_t) :: found
+      complex(dp), allocatable :: rest(:), share(:)
+      complex(dp) :: part
+      real(dp) :: length
+      integer :: i, pass
+
+      if (.not. allocated(self%responses)) allocate (self%responses(0), self%sides(size(b), 0))
+      allocate (share(size(self%responses)), source=(0.0_dp, 0.0_dp))
+      rest = b
+      do pass = 1, 2
+         do i = 1, size(share)
+            part = dot_product(self%sides(:, i), rest)
+            rest = rest - part*self%sides(:, i)
+            share(i) = share(i) + part
+         end do
+      end do
+      associate (grid => levels(size(levels))%problem%grid)
+         allocate (derivative%p(0:grid%nx, 0:grid%ny), derivative%h(0:grid%nx, 0:grid%ny), source=(0.0_dp, 0.0_dp))
+      end associate
+      derivative%status = status_converged
+      do i = 1, size(share)
+         call add(share(i), self%responses(i))
+      end do
+      length = norm2(abs(rest))
+      if (.not. length > harmonic%tolerance*norm2(abs(b))) return
+      rest = rest/length
+      call harmonic%respond_to(levels, rest, found)
+      self%solves = self%solves + 1
+      derivative%status = found%status
+      if (found%status /= status_converged) return
+      call add(cmplx(length, 0, dp), found)
+      self%sides = reshape([self%sides, rest], [size(b), size(share) + 1])
+      self%responses = [self%responses, found]
+
+   contains
+
+      subroutine add(factor, other)
+         complex(dp), intent(in) :: factor
+         type(harmonic_response_t), intent(in) :: other
+         derivative%p = derivative%p + factor*other%p
+         derivative%h = derivative%h + factor*other%h
+         derivative%approach = derivative%approach + factor*other%approach
+      end subroutine add
+
+   end subroutine solve
 
    !> Wedge and squeeze of the changes by a pattern.
    function wedge_of(grid, waves) result(wedge)

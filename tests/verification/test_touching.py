@@ -169,6 +169,31 @@ class Marches(FolderTest):
         self.assertLess(distances[2], 0.03*hard)
 
 
+class Ball(FolderTest):
+    GROUPS = {
+        "conditions": {"radius_x_m": 0.01, "radius_y_m": 0.01, "reduced_modulus_pa": 226e9, "load_n": 20.72,
+                       "mean_speed_m_per_s": 1e-3, "viscosity_pa_s": 0.04, "slip_parameter": 0},
+        "lubricant": {"pressure_viscosity_per_pa": 2.2e-8, "roelands_index": 0.68},
+        "touching": {"film_m": FILM_M},
+        "grid": {"x_min": -2.5, "x_max": 1.5, "y_max": 2, "cells_x": 64, "cells_y": 64, "edges": "truncated"},
+    }
+
+    def test_dry_ball(self):
+        """Isotropic waves of 0.1 um at hardly any speed: area and peak of an independent dry solver on the same grid."""
+        found = solve(**self.GROUPS, waviness={"orientation": "isotropic", "wavelength_over_a": 1, "amplitude_m": 1e-7})
+        self.check_close(found["touching_area"], 0.9363, 1e-3, "area")
+        self.check_close(found["max_total_pressure"], 1.5575, 1e-3, "peak")
+        self.assertLess(found["residual"], 1e-9)
+
+    def test_share(self):
+        """A smooth ball on a coarse grid: the speed of a share gives that share."""
+        grid = self.GROUPS["grid"] | {"cells_x": 32, "cells_y": 32}
+        found = solve(**self.GROUPS | {"grid": grid, "touching": {"film_m": FILM_M, "share": 0.5}})
+        conditions = self.GROUPS["conditions"] | {"mean_speed_m_per_s": found["mean_speed_m_per_s"]}
+        again = solve(**self.GROUPS | {"grid": grid, "conditions": conditions})
+        self.check_close(again["touching_share"], 0.5, 1e-6, "share")
+
+
 class Refusals(FolderTest):
     def refuse(self, text, groups):
         Path(self.folder, "case.nml").write_text(namelist(groups))
@@ -182,6 +207,8 @@ class Refusals(FolderTest):
         self.refuse("amplitude_m", groups_of(128, waviness={"orientation": "transverse", "wavelength_over_a": 0.5}))
         self.refuse("remove share", groups_of(128, slip=1, waviness=WAVE, share=0.5))
         self.refuse("response", groups_of(128, slip=1, waviness=WAVE | {"response": "harmonic"}))
+        ball = Ball.GROUPS | {"grid": Ball.GROUPS["grid"] | {"cells_x": 192}}
+        self.refuse("96 by 96", ball)
         self.refuse("oil_over_flooded", groups_of(128) | {"inlet": {"oil_over_flooded": 1}})
 
 

@@ -5,6 +5,9 @@ import argparse
 from studies.command import steps
 from studies.command.options import at_once, flag, given, option, output, study
 
+GROUPS = ("lines", "points", "bearings", "thick")
+"""Sweeps of the studies of heat."""
+
 
 @study(
     "starvation",
@@ -41,6 +44,7 @@ def starvation(options: argparse.Namespace) -> int:
     at_once(),
     option("--lines", "COUNT", "line contacts that are computed (default 1200)", 1200),
     option("--points", "COUNT", "elliptical ones (default 600)", 600),
+    option("--more", "COUNT", "contacts of bearings, and as many thick films (default 160)", 160),
     option(
         "--cells", "N", "cells along each side of these (default 128), a twelfth of lines'", 128
     ),
@@ -59,8 +63,8 @@ def heat(options: argparse.Namespace) -> int:
     """
     steps.prepare()
     folder = options.output
-    steps.python("heat", "cases", folder, *given(options, "lines", "points", "cells"))
-    for name in ("lines", "lines_cold", "points", "points_cold"):
+    steps.python("heat", "cases", folder, *given(options, "lines", "points", "more", "cells"))
+    for name in (f"{one}{cold}" for one in GROUPS for cold in ("", "_cold")):
         steps.sweep(folder / f"{name}.nml")
     return steps.report("heat", "report", folder)
 
@@ -71,6 +75,7 @@ def heat(options: argparse.Namespace) -> int:
     at_once(),
     option("--lines", "COUNT", "line contacts that are computed (default 400)", 400),
     option("--points", "COUNT", "elliptical ones (default 500)", 500),
+    option("--more", "COUNT", "contacts of bearings, and as many thick films (default 160)", 160),
     option(
         "--cells", "N", "cells along each side of these (default 128), a quarter of lines'", 128
     ),
@@ -88,8 +93,8 @@ def inlet(options: argparse.Namespace) -> int:
     """
     steps.prepare()
     folder = options.output
-    steps.python("inlet_law", "cases", folder, *given(options, "lines", "points", "cells"))
-    for name in ("lines", "points"):
+    steps.python("inlet_law", "cases", folder, *given(options, "lines", "points", "more", "cells"))
+    for name in GROUPS:
         steps.sweep(folder / f"{name}.nml")
     return steps.report("inlet_law", "report", folder)
 

@@ -5,7 +5,22 @@ import numpy as np
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
 from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.laws import inlet_coefficients as inlet
 from ehlwave.laws.heat_laws import LOWEST_RATIO, RANGES, Heated, loading_of, warmed
+
+ROLLING_RANGES = RANGES | {
+    "load_parameter_m": inlet.M_RANGE,
+    "lubricant_parameter_l": inlet.L_RANGE,
+    "hertz_pressure_pa": (3e8, 3.5e9),
+    "film over Hertz approach": inlet.FILM_RANGE,
+    "eta0 beta u^2/k": inlet.LOADING_RANGE,
+}
+"""Ranges of contacts in pure rolling, where the warm inlet alone thins the film."""
+LINE_RANGES = RANGES | {
+    "load_parameter_m": (2.0, 1500.0),
+    "film over Hertz approach": (0.0, 1.0),
+}
+"""Ranges of line contacts that slide."""
 
 
 def heated(
@@ -64,13 +79,16 @@ def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float |
         "eta0 beta u^2/k": [loading_of(conditions, heat)],
         "effusivity of a body": [body.effusivity for body in heat.bodies],
     }
+    rolls = conditions.slip_parameter == 1
+    ranges = ROLLING_RANGES if rolls else LINE_RANGES if conditions.is_line else RANGES
     for name, found in values.items():
-        low, high = RANGES[name]
+        low, high = ranges[name]
         for value in found:
             if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
                 raise RangeError(_outside(name, value, f"{low:g} to {high:g}"))
-    if 0 < conditions.d < LOWEST_RATIO:
-        raise RangeError(_outside("radius_ratio_d", conditions.d, f"{LOWEST_RATIO:g} to 1, or 0"))
+    lowest = inlet.LOWEST_D if rolls else LOWEST_RATIO
+    if 0 < conditions.d < lowest:
+        raise RangeError(_outside("radius_ratio_d", conditions.d, f"{lowest:g} to 1, or 0"))
 
 
 def _outside(name: str, value: float, range_text: str) -> str:

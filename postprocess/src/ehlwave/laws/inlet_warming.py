@@ -112,12 +112,13 @@ def inlet_factor(
     wall: ArrayLike,
     film_over_approach: ArrayLike,
     radius_ratio_d: ArrayLike,
+    load_parameter_m: ArrayLike,
     coefficients: ArrayLike = table.COEFFICIENTS,
 ) -> Floats:
     """Return the share by which the shear of the inlet thins a film, eq. (T15).
 
-    1/(1 + y) with y = c1 L_t^c2 (1 + c3 s^c4) (1 + c5 B^c6) G^(c7 + c8 D) exp(c9 D) and
-    G = H/(1 + c10 H^(3/2)).
+    1/(1 + y) with y = c1 L_t^c2 (1 + c3 s^c4) (1 + c5 B^c6) G^(c7 + c8 D) exp(c9 D)
+    (M/100)^c11 and G = H/(1 + c10 H^(3/2)).
 
     Parameters
     ----------
@@ -131,21 +132,24 @@ def inlet_factor(
         H, central film without heat over the Hertz approach.
     radius_ratio_d : array_like
         D; 0 of a line contact.
+    load_parameter_m : array_like
+        M.
     coefficients : array_like
         Coefficients of the record.
 
     Examples
     --------
     >>> from ehlwave.laws.inlet_warming import inlet_factor
-    >>> inlet_factor([0.0, 0.4], 0.0, 0.5, 0.1, 0.0).round(1).tolist()
+    >>> inlet_factor([0.0, 0.4], 0.0, 0.5, 0.1, 0.0, 100.0).round(1).tolist()
     [1.0, 0.8]
     """
-    c1, c2, c3, c4, c5, c6, c7, c8, c9, c10 = np.asarray(coefficients, dtype=np.float64)
+    c1, c2, c3, c4, c5, c6, c7, c8, c9, c10, c11 = np.asarray(coefficients, dtype=np.float64)
     given = (loading, slide_to_roll_ratio, wall, film_over_approach, radius_ratio_d)
+    m = np.asarray(load_parameter_m, dtype=np.float64) / 100
     x, s, b, h, d = (np.asarray(value, dtype=np.float64) for value in given)
     shear = c1 * x**c2 * (1 + c3 * np.abs(s) ** c4) * (1 + c5 * b**c6)
     gap = h / (1 + c10 * h**1.5)
-    return np.asarray(1 / (1 + shear * gap ** (c7 + c8 * d) * np.exp(c9 * d)))
+    return np.asarray(1 / (1 + shear * gap ** (c7 + c8 * d) * np.exp(c9 * d) * m**c11))
 
 
 def loss_error(loss: float, slide_to_roll_ratio: float) -> float:
@@ -211,7 +215,7 @@ def inlet_warming(
     ratio, thick = conditions.slide_to_roll_ratio, film / conditions.hertz_approach_c_m
     loading = float(thermal_loading(eta, beta, u, k))
     wall = _wall(k, slow, film, conditions.semi_axis_a_m, u)
-    factor = float(inlet_factor(loading, ratio, wall, thick, conditions.d))
+    factor = float(inlet_factor(loading, ratio, wall, thick, conditions.d, conditions.m))
     error: float | None = loss_error(1 - factor, ratio)
     if not _is_within(conditions, loading, thick, ratio):
         over_modulus = conditions.hertz_pa / float(given["reduced_modulus_pa"])
