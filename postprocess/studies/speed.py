@@ -97,6 +97,7 @@ def measure(run: Callable[[Groups], Answer], repeats: int) -> list[Row]:
             Row(step, name, "WU", of_step[0], 22, 15, of_step[1], *ratio_errors),
             Row("whole transient", name, "s", number(march, "seconds"), 20, 6),
             growth(name, steady, fine),
+            *own_rows(name, steady, fine, march),
             Row("memory, 1025 x 1025", name, "MiB", number(fine, "peak_memory_mib"), 2048, 1024),
         ]
         if name == "newton":
@@ -111,6 +112,17 @@ def measure(run: Callable[[Groups], Answer], repeats: int) -> list[Row]:
     steady, fine = both_grids(fastest, "auto")
     left = apart(fine, fine_states["fas"], film)
     return [*rows, growth("auto", steady, fine, left, number(fine, "central_film_error"))]
+
+
+def own_rows(method: str, steady: Answer, fine: Answer, march: Answer) -> list[Row]:
+    """Return the counted work in deformations of the program itself."""
+    own, own_fine, own_march = (number(answer, "own_units") for answer in (steady, fine, march))
+    of_step = (own_march - own) / number(march, "time_steps")
+    return [
+        Row("steady state, 257 x 257", method, "own units", own, 478, 250, own),
+        Row("steady state, 1025 x 1025", method, "own units", own_fine, 200, 120, own_fine),
+        Row("one time step, 257 x 257", method, "own units", of_step, 90, 45, of_step),
+    ]
 
 
 def both_grids(run: Callable[[Groups], Answer], method: str) -> tuple[Answer, Answer]:

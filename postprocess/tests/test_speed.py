@@ -20,6 +20,7 @@ def answer(groups: Groups) -> speed.Answer:
         "seconds": 5.0 if fine and auto else 10.0 if fine else 4.0 if waves else 0.5,
         "work_units": 3000.0 if waves else 100.0,
         "counted_work_units": 2990.0 if waves else 90.0,
+        "own_units": 9000.0 if waves else 300.0,
         "harmonic_work_units": 70.0 if response else None,
         "harmonic_counted_work_units": 60.0 if response else None,
         "time_steps": 290,
@@ -33,8 +34,11 @@ def answer(groups: Groups) -> speed.Answer:
 
 def test_figures() -> None:
     """Differences and ratios are taken between the right runs."""
-    rows = {(row.method, row.work): row for row in speed.measure(answer, 2)}
+    found = speed.measure(answer, 2)
+    rows = {(row.method, row.work): row for row in found if row.unit != "own units"}
     assert len(rows) == 5 * len(speed.METHODS) + 3
+    own = [row.figure for row in found if (row.method, row.unit) == ("newton", "own units")]
+    assert own == pytest.approx([300.0, 300.0, 30.0])
     step = rows["newton", "one time step, 257 x 257"]
     assert step.figure == pytest.approx(10.0)
     assert step.counted == pytest.approx(10.0)

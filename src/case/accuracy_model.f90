@@ -1,8 +1,8 @@
 !> Expected discretisation error and cost of a case, before it is run.
 !>
 !> The functions were fitted to the runs of `scripts/study error-vs-time`; the coefficients are those of
-!> postprocess/record/error-vs-time/models.csv, which also says how far each function is from the runs. They are
-!> fits, no bounds. Results carry estimates from their own grids.
+!> postprocess/record/error-vs-time/models.csv, which also has the deviation of each function from the runs. They
+!> are fits, not bounds. Results carry estimates from their own grids.
 module ehlwave_accuracy_model
    use ehlwave_conditions, only: conditions_t
    use ehlwave_kinds, only: dp
@@ -14,13 +14,13 @@ module ehlwave_accuracy_model
    real(dp), parameter :: film_factor = 0.172_dp           !! model 'film'
    real(dp), parameter :: moving_factor = 0.265_dp         !! model 'moving_ratio'
    real(dp), parameter :: standing_factor = 0.0592_dp      !! model 'standing_ratio'
-   !> Error of responses and of friction over what grids show. Of 393 random responses three were off by 1.5 to 1.7
-   !> times that, of 694 random frictions five by 1.4 to 1.8 times.
+   !> Factor on errors of responses and of friction shown by grids. Of 393 random responses three exceeded it, by
+   !> 1.5 to 1.7 times; of 694 random frictions five, by 1.4 to 1.8 times.
    real(dp), parameter, public :: grids_margin = 1.6_dp
-   !> Errors of a fitted scheme over those of the averaged one, by the inlet: as if the inlet were so much less steep.
-   !> Measured (96 to 512 cells along X; M = 100 to 10,000, L = 1 to 20, D = 1 to 0.07): 0.02 to 0.065, 0.085 where hX
-   !> is above half an inlet length. In oils that thin 0.03 to 0.14 of that of a Newtonian one (Ree-Eyring, 1 to 10 MPa,
-   !> S = 1 to 1.75), where this share of their own is 0.05 to 0.18.
+   !> Ratio of the errors of the fitted and the averaged scheme, as a reduced steepness of the inlet. Measured (96 to
+   !> 512 cells along X; M = 100 to 10,000, L = 1 to 20, D = 1 to 0.07): 0.02 to 0.065, 0.085 where hX is above half an
+   !> inlet length. In shear-thinning oils 0.03 to 0.14 of the Newtonian error (Ree-Eyring, 1 to 10 MPa, S = 1 to 1.75),
+   !> where this share of their own error is 0.05 to 0.18.
    real(dp), parameter, public :: fitted_share = 1/20.0_dp
    !> Relative error of Ad/Ai by waves along X of a fitted scheme, over the inverse square of their points. Measured:
    !> 0.9 to 1.1 (M = 100, D = 1; M = 1000, D = 0.07; transverse, 0.5 a, 8 to 32 points). Of the averaged scheme it is
@@ -44,7 +44,7 @@ module ehlwave_accuracy_model
    real(dp), parameter :: line_work = 66.7_dp, line_cells_power = -0.109_dp, line_power = 0.421_dp
    real(dp), parameter :: line_alpha = 1.38_dp, line_load = 2.67_dp, line_load_power = 1.09_dp
    real(dp), parameter :: line_mesh_power = -0.68_dp
-   real(dp), parameter :: line_step_cost = 80               !! of a step of a line contact; measured: 70 to 85
+   real(dp), parameter :: line_step_cost = 80               !! cost of a step of a line contact; measured: 70 to 85
    !> Times as much of a steady state and of a step with a Ree-Eyring oil, M = 100, D = 1, S = 1.5, 5 MPa, counted on
    !> 64, 128 and 256 cells: 1.7, 1.5, 1.6 and 1.8, 1.7, 1.8. Linear responses take less, for they need fewer GMRES
    !> steps.
@@ -63,8 +63,8 @@ contains
    end function expected_film_error
 
    !> Relative error of Ad/Ai, theory eq. (E4): c hX^2 gamma M (1 - F)^(1/2). F is the ratio by the formula: the shorter
-   !> the wave, the nearer F to 1, and the less is left to the inlet. c goes by whether the pattern moves. Added is what
-   !> is due to waves along Y, to steps longer than hX and to the step tolerance.
+   !> the wave, the nearer F to 1, and the smaller the role of the inlet. c depends on whether the pattern moves. Errors
+   !> by waves along Y, by steps longer than hX and by the step tolerance are added.
    pure real(dp) function expected_ratio_error(conditions, formula_ratio, hx, points_y, cells_per_step, samples, &
                                                step_tolerance)
       type(conditions_t), intent(in) :: conditions
@@ -72,7 +72,7 @@ contains
       real(dp), intent(in) :: hx               !! mesh size in X
       real(dp), intent(in) :: points_y         !! mesh sizes per wave along Y, 0 without waves along Y
       integer, intent(in) :: cells_per_step    !! dT/hX, 1 for shorter steps too: they add no error
-      real(dp), intent(in) :: samples          !! time steps per wave, 0 for a pattern that stands still
+      real(dp), intent(in) :: samples          !! time steps per wave, 0 for a stationary pattern
       real(dp), intent(in) :: step_tolerance
 
       expected_ratio_error = ratio_factor(samples > 0)*ratio_scale(conditions, formula_ratio)*hx**2
@@ -120,7 +120,7 @@ contains
    pure real(dp) function largest_mesh(conditions, error, formula_ratio, moves)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: error                     !! relative, above 0
-      real(dp), intent(in), optional :: formula_ratio   !! of a wavy contact
+      real(dp), intent(in), optional :: formula_ratio   !! Ad/Ai of a wavy contact by the formula
       logical, intent(in), optional :: moves            !! whether its pattern moves, with formula_ratio
       if (present(formula_ratio) .and. present(moves)) then
          largest_mesh = sqrt(error/max(ratio_factor(moves)*ratio_scale(conditions, formula_ratio), tiny(1.0_dp)))
@@ -146,7 +146,7 @@ contains
       steady_work_units = steady_work_units*merge(1.0_dp, film_flow_cost(1)*thinning_cost, is_newtonian)
    end function steady_work_units
 
-   !> Counted work units of one time step on a half domain.
+   !> Counted work units of a time step on a half domain.
    pure real(dp) function step_work_units(conditions, cells, is_newtonian, thinning_cost)
       type(conditions_t), intent(in) :: conditions
       integer, intent(in) :: cells            !! along X
@@ -179,7 +179,7 @@ contains
    !> Times as far off numbers may be where the pressure spike of a light contact is above the Hertz pressure: it grows
    !> with every grid.
    elemental real(dp) function spike_factor(max_pressure)
-      real(dp), intent(in) :: max_pressure   !! of the smooth contact, over the Hertz pressure
+      real(dp), intent(in) :: max_pressure   !! largest pressure of the smooth contact, over the Hertz pressure
       spike_factor = max(1.0_dp, max_pressure)**2
    end function spike_factor
 

@@ -14,7 +14,7 @@ module ehlwave_bare_plan
    private
 
    integer, parameter, public :: run_smooth = 1      !! steady state of smooth surfaces only
-   integer, parameter, public :: run_standing = 2    !! steady states of a pattern that stands still
+   integer, parameter, public :: run_standing = 2    !! steady states of a stationary pattern
    integer, parameter, public :: run_march = 3       !! march in time
    integer, parameter, public :: run_harmonic = 4    !! linear response only
 
@@ -23,24 +23,24 @@ module ehlwave_bare_plan
       type(rheology_t) :: rheology
       type(thinning_t) :: thinning                   !! of the oil
       logical :: is_fitted = .false.                 !! scheme of the Reynolds equation
-      real(dp) :: steepness = 1                      !! of the inlet, for the scheme: over that of a Newtonian oil
+      real(dp) :: steepness = 1                      !! steepness of the inlet, for the scheme: over a Newtonian oil's
       type(surfaces_t) :: surfaces
-      type(case_file_t), allocatable :: files(:)     !! that cases may read; with digests where this one does
+      type(case_file_t), allocatable :: files(:)     !! files that cases may read; with digests if this one does
       integer :: kind = run_smooth
       logical :: responds = .false.                  !! the linear response is computed
       logical :: is_by_multigrid = .false.           !! steady states by FAS
       integer :: levels = 0                          !! across the film at which temperatures are found; 0: none
       integer :: field_sets = 0                      !! fields over time that are kept
-      integer :: threads = 1                         !! that share the case; the least a sweep can have
-      logical :: is_periodic = .false.               !! the periodic state is sought first; the march is what else there
+      integer :: threads = 1                         !! threads that share the case; the least a sweep can have
+      logical :: is_periodic = .false.               !! the periodic state is sought first; the march is the
                                                      !! is
       logical :: is_half = .true.                    !! only Y >= 0 is computed
       real(dp) :: x_min = 0, x_max = 0, y_max = 0    !! domain; the pattern starts at the x_min of the case whatever it
                                                      !! is
       real(dp) :: domain_scale = 1                   !! over the domain of the case
-      real(dp) :: domain_error = 0                   !! relative, expected by the edges, of what expected_error is of,
+      real(dp) :: domain_error = 0  !! relative, expected by the edges, for the quantity of expected_error,
       real(dp) :: film_domain_error = 0              !! and of H(0,0)
-      integer :: cells_x = 0, cells_y = 0            !! of the whole domain; cells_y = 1 of a line contact
+      integer :: cells_x = 0, cells_y = 0            !! cells of the whole domain; cells_y = 1 for a line contact
       character(len=:), allocatable :: grid_reason
       real(dp) :: hx = 0, hy = 0                     !! hy = 0 of a line contact
       character(len=4) :: deformation = ''           !! 'fft' or 'mlmi'
@@ -52,14 +52,14 @@ module ehlwave_bare_plan
       real(dp) :: rest = 0                           !! T from which on effects that change should no longer move the
                                                      !! film
       integer :: largest_total_steps = 0             !! cap on the nonlinear steps of the finest grid,
-      real(dp) :: largest_work = huge(1.0_dp)        !! and on operations where the case gives none, see `cap_work`
+      real(dp) :: largest_work = huge(1.0_dp)        !! cap on operations where the case gives none, see `cap_work`
       integer :: phases = 0                          !! steady solutions of a standing pattern
       type(resolution_t) :: resolution
       type(error_parts_t) :: expected                !! relative errors of Ad/Ai, of smooth contacts of H(0,0); from
                                                      !! models
-      real(dp) :: expected_error = 0                 !! of mesh, time and tolerances among them
+      real(dp) :: expected_error = 0                 !! sum of mesh, time and tolerance errors
       real(dp) :: expected_work_units = 0            !! counted, without error estimates
-      real(dp) :: work_with_estimates = 0            !! the same with them: what takes time
+      real(dp) :: work_with_estimates = 0            !! work with error estimates: measure of time
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
    contains
       procedure :: expected_film_mesh_error
@@ -76,7 +76,7 @@ module ehlwave_bare_plan
 
 contains
 
-   !> Whether it is the plan that says how much a case may take.
+   !> Whether the plan sets the cap on the work of a case.
    pure logical function has_work_cap(self)
       class(bare_plan_t), intent(in) :: self
       has_work_cap = self%largest_work < huge(1.0_dp)
@@ -96,10 +96,7 @@ contains
          wave_mesh_error = wave_x_factor*(self%surfaces%largest_slip()/self%resolution%points_x)**2
    end function wave_mesh_error
 
-   !> The factor of errors that the plan expects, where they stand in for an estimate: models are right within a factor
-   !> of 2 or 3, and were fitted to grids with hY up to 2 hX and to contacts whose pressure spike is below the Hertz
-   !> pressure. The spike of a light contact is above: at 1.6 times the film was 3.3 times as far off as twice the
-   !> model.
+   !> Safety factor on the plan's error model
    pure real(dp) function model_margin(self, max_pressure)
       class(bare_plan_t), intent(in) :: self
       real(dp), intent(in) :: max_pressure   !! of the smooth contact, over the Hertz pressure
@@ -107,12 +104,12 @@ contains
       model_margin = usual_margin*max(1.0_dp, (self%hy/(usual_ratio*self%hx))**2)*spike_factor(max_pressure)
    end function model_margin
 
-   !> Relative error of Ad/Ai by the mesh, where no coarser grid tells it. Under slip two waves add up whose phases the
-   !> mesh shifts, which the model has not: measured 2 to 10 over the square of the points per wave for S = 0.3 to 0.76
-   !> and 1.37 where the formula gives Ad/Ai above 0.8, at most 1 in pure rolling.
-   !> And Ad/Ai is no better than the film, on which it depends: in seven random cases it was 1.0 to 2.2 times as far
-   !> off as the film was said to be; 3.6 times with a Ree-Eyring oil of 0.2 MPa; 3.3 times where the waves stand still
-   !> (S = 0, M = 37, D = 0.2), and there also 38 over the square of the points (M = 68, D = 0.48, Ree-Eyring).
+   !> Relative error of Ad/Ai by the mesh, where no coarser grid shows it. Under slip the mesh shifts the phases of two
+   !> waves, which the model lacks: measured 2 to 10 over the square of the points per wave for S = 0.3 to 0.76 and
+   !> 1.37 where the formula gives Ad/Ai above 0.8, at most 1 in pure rolling. Ad/Ai is no better than the film, on
+   !> which it depends: 1.0 to 2.2 times the film error in random cases, 3.6 times with a Ree-Eyring oil of 0.2 MPa,
+   !> 3.3 times for stationary waves (S = 0, M = 37, D = 0.2). Stationary waves also reach 38 over the square of the
+   !> points (M = 68, D = 0.48, Ree-Eyring).
    pure real(dp) function model_ratio_error(self, max_pressure, film_error)
       class(bare_plan_t), intent(in) :: self
       real(dp), intent(in) :: max_pressure   !! see `model_margin`
@@ -129,14 +126,14 @@ contains
       end associate
    end function model_ratio_error
 
-   !> The least relative error of Ad/Ai, or of a response, by the mesh that two grids can show. Their values can agree
-   !> by chance, which tells nothing of either. Of 17 random cases the expected error was 0.65 to 3 times the error, an
-   !> estimate from grids 0.02 to 3 times. Where the film is further off than the model says, so is Ad/Ai: both errors
-   !> come from the inlet (films of line contacts are 1.2 to 1.5 times as far off as the model of elliptical ones says).
+   !> Least relative error of Ad/Ai, or of a response, by the mesh that two grids can show. Their values can agree by
+   !> chance. In 17 random cases the expected error was 0.65 to 3 times the error, an estimate from grids 0.02 to 3
+   !> times. Where the film error exceeds the model, so does the error of Ad/Ai: both come from the inlet (line
+   !> contacts: film errors are 1.2 to 1.5 times the model of elliptical contacts).
    pure real(dp) function least_ratio_error(self, film_error)
       class(bare_plan_t), intent(in) :: self
       real(dp), intent(in) :: film_error      !! relative, of the smooth H(0,0) of the case, by its mesh
-      ! of a fitted scheme more: it goes up and down with the mesh (M = 299, longitudinal: 0.2843, 0.2858, 0.2833)
+      ! Larger for a fitted scheme: it goes up and down with the mesh (M = 299, longitudinal: 0.2843, 0.2858, 0.2833)
       real(dp), parameter :: least_share = 0.8_dp, least_share_fitted = 1.2_dp
       associate (by_waves => self%wave_mesh_error())
          least_ratio_error = merge(least_share_fitted, least_share, self%is_fitted)*(by_waves &
@@ -144,14 +141,14 @@ contains
       end associate
    end function least_ratio_error
 
-   !> The least relative error of Ad/Ai, or of a response, of a light contact, whose film is as thick as the bodies
-   !> approach: it does not come from the inlet. Where the waves keep their amplitude all other models say nearly
-   !> nothing. Measured (M = 24 and 29, D = 0.15 and 0.07, 96 cells): 6.4 and 9.2 over hX^2. Of a fitted scheme the
-   !> same, however thin the film: it leaves little else (line contact, M = 8, L = 15, S = 1.52: 9 over hX^2).
+   !> Least relative error of Ad/Ai, or of a response, of a light contact, whose film is as thick as the bodies
+   !> approach: it does not come from the inlet. Where the waves keep their amplitude all other models nearly
+   !> vanish. Measured (M = 24 and 29, D = 0.15 and 0.07, 96 cells): 6.4 and 9.2 over hX^2. A fitted scheme has the
+   !> same error at any film: it leaves little else (line contact, M = 8, L = 15, S = 1.52: 9 over hX^2).
    pure real(dp) function light_ratio_error(self, film, by_grids)
       class(bare_plan_t), intent(in) :: self
       real(dp), intent(in) :: film         !! H(0,0)
-      logical, intent(in) :: by_grids      !! whether it is beside what coarser grids tell
+      logical, intent(in) :: by_grids      !! whether it adds to the error from coarser grids
       real(dp), parameter :: model_factor = 8, grids_factor = 5
       light_ratio_error = merge(grids_factor, model_factor, by_grids)*self%hx**2* &
                           min(1.0_dp, merge(1.0_dp, film, self%is_fitted))
@@ -169,14 +166,14 @@ contains
       expected_seconds = self%work_with_estimates*expected_unit_seconds(self%cells_x, self%cells_y)
    end function expected_seconds
 
-   !> Peak memory of the process to expect, in MiB, without what MPI takes: a constant and so much for each cell that is
-   !> computed, more on finer grids, whose GMRES keeps more vectors. Measured within an eighth: 64 to 2048 cells along
-   !> each side, M = 100 and, up to 1024, 1000; smooth, transverse waves of 0.5 a by their response, and marches.
+   !> Peak memory of the process to expect, in MiB, without MPI: a constant plus a share per computed cell, more on
+   !> finer grids, whose GMRES keeps more vectors. Measured within an eighth: 64 to 2048 cells along each side, M = 100
+   !> and, up to 1024, 1000; smooth, transverse waves of 0.5 a by their response, and marches.
    pure real(dp) function expected_memory_mib(self)
       class(bare_plan_t), intent(in) :: self
       real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_multigrid = 335, bytes_wavy = 900, &
-         bytes_timing = 64, &                                           ! of a work unit, of each cell that is timed
-         bytes_in_parts = 1500, &     ! of responses whose linear systems are not kept side by side
+         bytes_timing = 64, &                                           ! bytes of a work unit, per timed cell
+         bytes_in_parts = 1500, &     ! bytes of responses whose linear systems are not kept side by side
          bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
          bytes_set = 48, &                                              ! three fields, and their file
          bytes_fitted = 215, &                                          ! fluxes through faces
@@ -184,7 +181,7 @@ contains
       real(dp), parameter :: cells_in_parts = 1e6_dp
       real(dp), parameter :: thread_mib = 1, bytes_thread = 600   ! rows, columns and lines of its own
       real(dp), parameter :: usual_cells = 256*128, smooth_growth = 0.18_dp, response_growth = 0.06_dp
-      real(dp) :: bytes, cells, halvings   ! of the mesh of `usual_cells`
+      real(dp) :: bytes, cells, halvings   ! bytes of the mesh of `usual_cells`
       cells = real(self%cells_x, dp)*self%cells_y
       if (self%is_half) cells = cells/2
       halvings = 0.5_dp*log(max(1.0_dp, cells/usual_cells))/log(2.0_dp)

@@ -32,7 +32,7 @@ contains
    !> Give waves of a known amplitude the amplitude over the film of the formula, for estimates of the plan.
    subroutine complete_amplitude(roughness, number, conditions, error)
       type(roughness_t), intent(inout) :: roughness
-      character(len=*), intent(in) :: number         !! of the surface in the names of groups: '' or '2'
+      character(len=*), intent(in) :: number         !! number of the surface in the names of groups: '' or '2'
       type(conditions_t), intent(in) :: conditions
       type(error_t), allocatable, intent(inout) :: error
 

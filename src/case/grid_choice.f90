@@ -28,7 +28,7 @@ module ehlwave_grid_choice
    integer, parameter :: sizes(25) = [64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512, 640, 768, 896, &
       1024, 1280, 1536, 2048, 2560, 3072, 4096, 6144, 8192]
    ! Shares of the accuracy: mesh in X, waves along Y.
-   real(dp), parameter :: slip_without_formula = 0.5_dp   !! |S - 1| from which the formula for pure rolling tells
+   real(dp), parameter :: slip_without_formula = 0.5_dp  !! |S - 1| from which the formula of pure rolling is unreliable
                                                           !! nothing
    real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp
    !> Share of the mesh of what the other parts leave to a march: its estimate has a margin. Other parts may take
@@ -37,14 +37,14 @@ module ehlwave_grid_choice
 
 contains
 
-   !> Cells of the whole domain; one along Y for a line contact.
+   !> Cells of the whole domain; 1 along Y for a line contact.
    subroutine choose_grid(case, conditions, surfaces, is_fitted, steepness, effects, cells_per_step, cells_x, &
                           cells_y, reason)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(surfaces_t), intent(in) :: surfaces
       logical, intent(in) :: is_fitted         !! scheme
-      real(dp), intent(in) :: steepness        !! of the inlet, see `case_plan_t`
+      real(dp), intent(in) :: steepness        !! steepness of the inlet, see `case_plan_t`
       type(effects_plan_t), intent(in) :: effects
       integer, intent(in) :: cells_per_step    !! dT/hX of a march, 1 for shorter steps and without a march
       integer, intent(out) :: cells_x, cells_y
@@ -144,7 +144,7 @@ contains
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(pattern_t), intent(in) :: pattern
-      real(dp), intent(in) :: steepness          !! of the inlet for the scheme, see `case_plan_t`
+      real(dp), intent(in) :: steepness          !! steepness of the inlet for the scheme, see `case_plan_t`
       logical, intent(in) :: is_fitted           !! scheme
       integer, intent(in) :: cells_per_step      !! dT/hX, see `choose_grid`
       integer, parameter :: halvings = 30
@@ -202,8 +202,8 @@ contains
       end do
    end function smallest_size
 
-   !> Ad/Ai by theory eq. (18), for the error model: less of it counts under slip, where the inlet launches a wave of
-   !> its own. The smaller one of two rough surfaces.
+   !> Ad/Ai by theory eq. (18), for the error model: reduced under slip, where the inlet launches a wave of its own.
+   !> The smaller value of two rough surfaces.
    pure real(dp) function formula_ratio(case, conditions, moves)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions

@@ -15,7 +15,7 @@ module ehlwave_march_plan
    public :: plan_march
 
    integer, parameter :: most_steps = 1000000
-   real(dp), parameter :: share_of_steps = 0.2_dp    !! of the accuracy, for steps longer than hX
+   real(dp), parameter :: share_of_steps = 0.2_dp    !! share of the accuracy, for steps longer than hX
    real(dp), parameter :: load_time = 1              !! T more that the film takes to follow a load step at T = 0
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
@@ -26,8 +26,8 @@ contains
    !> first period and below 0.1 per cent in the second), then one period. A measured surface is followed until its
    !> trailing end is at the contact centre. Two surfaces with waves are measured until they repeat together, or for a
    !> beat. Where the layer of oil changes, they are measured once the change has passed and the inlet has followed, and
-   !> after a load step somewhat later. An `end_time` overrides all; where it comes before patterns and change have
-   !> passed and one period more, no amplitude is measured. Fails where a change of the layer comes after the end.
+   !> after a load step somewhat later. An `end_time` overrides all; if it comes before patterns and change have passed
+   !> plus one period, no amplitude is measured. Fails where a change of the layer comes after the end.
    subroutine plan_march(case, plan, error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
@@ -75,7 +75,7 @@ contains
       plan%first_sample = ceiling(settled/plan%dt - 1e-9_dp)
    end subroutine plan_march
 
-   !> dT/hX on cells that are given, or that measured heights have chosen: that of the least work where it resolves the
+   !> dT/hX on cells that are given, or that measured heights have chosen: the ratio of least work where it resolves the
    !> shortest wave and its error is a small share of the accuracy.
    integer function chosen_step(case, plan)
       type(case_t), intent(in) :: case

@@ -12,21 +12,23 @@ module ehlwave_plan_effort
    private
    public :: cap_work, expect
 
-   !> Work of a case over that of its plan, where it has no cap of its own; it ends at a share of that, since the step
-   !> at which it does is finished.
+   !> Work of a case over its planned work, without a cap of its own; the case ends at a share of it, since the last
+   !> step is finished.
    real(dp), parameter, public :: most_work = 10
    real(dp), parameter :: share_of_most = 0.8_dp
    real(dp), parameter :: estimate_cost = 0.15_dp    !! of the coarser grids of a case, whose steps are dT = hX, over
-                                                     !! that of a march with such steps
-   real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain and the change of the
+                                                     !! a march with such steps
+   real(dp), parameter :: response_work_units = 50   !! work units of a linear response on half a domain and the change
+                                                     !! of the
                                                      !! mean; measured: 35 to 80
-   real(dp), parameter :: line_response_work_units = 250   !! the same of a line contact
-   real(dp), parameter :: mean_share = 0.35_dp             !! of it, the change of the mean; measured 17 of 55
+   real(dp), parameter :: line_response_work_units = 250   !! work units of a response of a line contact
+   real(dp), parameter :: mean_share = 0.35_dp             !! share of the change of the mean; measured 17 of 55
    real(dp), parameter :: load_step_cost = 4         !! time steps after a load step over others; measured at M = 300, L
                                                      !! = 30, D = 1: 9
-   real(dp), parameter :: petsc_cost = 2             !! of a solution by PETSc, of one by Newton's method; measured: 0.9
+   real(dp), parameter :: petsc_cost = 2  !! cost of a solution by PETSc, relative to Newton's method; measured: 0.9
                                                      !! to 2.2
-   real(dp), parameter :: periodic_share = 0.4_dp    !! of a march that starts in the waves, of one from rest; measured:
+   real(dp), parameter :: periodic_share = 0.4_dp    !! cost of a march that starts in the waves, relative to rest;
+                                                     !! measured:
                                                      !! 0.2 to 0.6
    !> Cost factor for an oil with a limiting shear stress; measured: 2 to 20, and 65 by FAS, whose every sweep finds the
    !> stresses anew.
@@ -37,7 +39,8 @@ module ehlwave_plan_effort
 
 contains
 
-   !> Error and cost to expect of a plan that is complete but for them. Whole domains cost twice as much as half ones.
+   !> Error and cost to expect of a plan that is complete except for them. Whole domains cost twice as much as half
+   !> domains.
    subroutine expect(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
@@ -93,9 +96,9 @@ contains
                                     *plan%expected_work_units
    end subroutine expect
 
-   !> Work of a steady state with a standing pattern, found from the phase before, over that of the smooth one. Measured
-   !> at amplitudes of 1, 20, 50 and 90 % of the film (M = 50 to 300, L = 5 to 30, D = 0.2 and 1, transverse, isotropic
-   !> and longitudinal, 96 x 64 cells): 0.6 to 2 times this.
+   !> Work of a steady state with a standing pattern, found from the phase before, over the smooth state's work.
+   !> Measured at amplitudes of 1, 20, 50 and 90 % of the film (M = 50 to 300, L = 5 to 30, D = 0.2 and 1, transverse,
+   !> isotropic and longitudinal, 96 x 64 cells): 0.6 to 2 times this.
    elemental real(dp) function phase_cost(amplitude)
       real(dp), intent(in) :: amplitude    !! over the film
       phase_cost = 0.5_dp*(1 + amplitude)/(1 - 0.9_dp*amplitude)

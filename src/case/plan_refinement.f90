@@ -14,22 +14,22 @@ module ehlwave_plan_refinement
    private
    public :: refine_plan
 
-   real(dp), parameter :: aim = 0.7_dp             !! of what the accuracy leaves to the mesh: estimates scatter
-   real(dp), parameter :: largest_factor = 3       !! of the cells in one direction, at once
+   real(dp), parameter :: aim = 0.7_dp             !! share of the accuracy left to the mesh: estimates scatter
+   real(dp), parameter :: largest_factor = 3       !! factor on the cells in a direction, at once
    real(dp), parameter :: smallest_factor = 1.1_dp, step_back = 0.85_dp   !! the same, where the work that is left is
                                                                           !! not enough
-   real(dp), parameter :: largest_domain_share = 0.4_dp   !! of the accuracy, from which on the domain is doubled
+   real(dp), parameter :: largest_domain_share = 0.4_dp   !! share of the accuracy, from which on the domain is doubled
 
 contains
 
-   !> Cells as many as the part of the mesh asks for, and twice the domain where its part is large, within what the case
-   !> leaves free and its limits. False where nothing can be made finer, or that would not help.
+   !> Cells as the mesh error requires, and twice the domain where the domain error is large, within the free keys of
+   !> the case and its limits. False where nothing can be made finer, or that would not help.
    !>
-   !> It has no more cells than the work allows that is left for it, if it takes as many times its plan as this one.
+   !> Its cells are limited by the work left, if it takes as many times its plan as this one.
    subroutine refine_plan(case, plan, parts, work_taken, work_left, finer, is_finer)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      type(error_parts_t), intent(in) :: parts       !! of the result of the plan
+      type(error_parts_t), intent(in) :: parts       !! errors of the result of the plan
       real(dp), intent(in) :: work_taken             !! by the run of the plan, operations
       real(dp), intent(in) :: work_left              !! operations
       type(case_plan_t), intent(out) :: finer
@@ -42,7 +42,7 @@ contains
       first_order = sum(parts%by_effect)
       room = case%accuracy - (parts%total() - parts%mesh - first_order)
       copy = case
-      copy%accuracy = 0                             ! what it chooses is chosen here
+      copy%accuracy = 0                             ! accuracy 0: choices are made here
       copy%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
       scale = plan%domain_scale
       if (parts%domain > largest_domain_share*case%accuracy .and. may_enlarge(case, scale)) then

@@ -15,12 +15,12 @@ module ehlwave_scheme_choice
    public :: averaged_cells, check_scheme, choose_scheme, is_fitted, least_work_step, takes_long_steps
 
    ! Measured with accuracy = 0.01 (M = 100 to 10,000, L = 12.05, D = 1 and 0.07, smooth and the response to waves of
-   ! 0.5 a): where the averaged scheme takes 384 cells along X or more, the fitted one takes 0.01 to 0.68 of its work
-   ! with all finer runs; below it took up to 2.2 times as much, for short waves in wide contacts.
-   ! Of 14 random contacts with Ree-Eyring oils (M = 300 to 3500, S = 0.5 to 1.6) 11 take it, and all are within 0.01.
+   ! 0.5 a): where the averaged scheme takes 384 cells along X or more, the fitted scheme takes 0.01 to 0.68 of its
+   ! work with all finer runs; below it takes up to 2.2 times as much, for short waves in wide contacts. In 14 random
+   ! contacts with Ree-Eyring oils (M = 300 to 3500, S = 0.5 to 1.6) 11 take it, and all are within 0.01.
    real(dp), parameter :: most_averaged = 256      !! cells along X, up to which the averaged scheme is taken
-   real(dp), parameter :: largest_share = 0.5_dp   !! of them that the fitted scheme may take
-   ! Work of a march relative to that of the averaged scheme with dT = hX on the same cells. Measured (12 contacts, M =
+   real(dp), parameter :: largest_share = 0.5_dp   !! share of the cells that the fitted scheme may take
+   ! Work of a march relative to the averaged scheme with dT = hX on the same cells. Measured (12 contacts, M =
    ! 20 to 1000, 0.25 to 2 a, 64 to 192 cells along X): 1.1 to 1.2 for the fitted scheme, 0.51 to 0.75 for dT = 2 hX.
    real(dp), parameter, public :: fitted_work = 1.15_dp, long_step_work = 0.62_dp
    integer, parameter, public :: longest_step = 2          !! cells: longer steps of equal error save nothing
@@ -76,7 +76,7 @@ contains
          .and. case%radius_ratio_d > 0 .and. .not. case%effects%refuse(by_long_steps)
    end function takes_long_steps
 
-   !> Relative work of a march: that of its nodes and steps.
+   !> Relative work of a march, from its nodes and steps.
    real(dp) function work(case, conditions, fitted, cells_per_step)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
@@ -136,7 +136,7 @@ contains
       is_fitted = case%scheme == 'fitted'
    end function is_fitted
 
-   !> Whether the fitted scheme is written for what the case asks.
+   !> Whether the fitted scheme supports the case.
    logical function suits(case)
       type(case_t), intent(in) :: case
       suits = .not. case%effects%refuse(by_fitted_scheme)

@@ -9,6 +9,7 @@ module ehlwave_deformation
    type, abstract, public :: deformation_t
       real(dp) :: work = 0   !! operations done on this grid so far, see `ehlwave_work_unit`: its own, and what its
                              !! users add
+      real(dp) :: convolution = 0   !! operations of one deformation in the precision of linear systems: the own unit
    contains
       procedure(init_deformation), deferred :: init
       procedure(apply_deformation), deferred :: apply

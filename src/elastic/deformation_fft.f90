@@ -40,6 +40,7 @@ contains
       call self%single%init(grid, kernel)
       self%operations = 2*(grid%ny + 1)*transform_operations(real(kernel%px, dp)) &
                         + 4*(kernel%px/2 + 1)*transform_operations(real(kernel%py, dp))
+      self%convolution = anint(single_share*self%operations)
    end subroutine init
 
    !> Deformation D = sum over cells of influence times P, theory eq. (9), at all nodes.
@@ -58,7 +59,7 @@ contains
       class(deformation_fft_t), intent(inout) :: self
       real(dp), intent(in), contiguous :: p(0:, 0:)
       real(dp), intent(out), contiguous :: d(0:, 0:)
-      self%work = self%work + anint(single_share*self%operations)
+      self%work = self%work + self%convolution
       call self%single%apply(p, d)
    end subroutine apply_single
 

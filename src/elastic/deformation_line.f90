@@ -64,6 +64,7 @@ contains
       self%row = cell_influence([(min(i, n - i)*grid%hx, i=0, n - 1)], 0.0_dp, grid%hx, grid%hy, kappa, k)
       call fftw_execute_dft_r2c(self%forward, self%row, self%modes)
       self%spectrum = real(self%modes, dp)/n      ! the kernel is even, so its transform is real
+      self%convolution = 2*transform_operations(real(n, dp))
    end subroutine init
 
    !> Deformation at all nodes of the line, D = sum over cells of influence times P.
@@ -72,7 +73,7 @@ contains
       real(dp), intent(in), contiguous :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:0)
       real(dp), intent(out), contiguous :: d(0:, 0:)   !! deformation, (0:nx, 0:0)
 
-      self%work = self%work + 2*transform_operations(real(size(self%row), dp))
+      self%work = self%work + self%convolution
       self%row(1:self%nx + 1) = p(:, 0)
       self%row(self%nx + 2:) = 0
       call fftw_execute_dft_r2c(self%forward, self%row, self%modes)

@@ -63,6 +63,7 @@ contains
       end do
       call level(l)%make_coarsest(self%order)
       self%level = level(:l)
+      self%convolution = mlmi_operations*product(self%level(1)%last + 1)
    end subroutine init
 
    !> Radius that makes the error fall as h^2: with a constant radius it falls as h, and with growing radius about
@@ -91,7 +92,7 @@ contains
       real(dp), intent(out), contiguous :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
       integer :: j, l, n
 
-      self%work = self%work + mlmi_operations*product(self%level(1)%last + 1)
+      self%work = self%work + self%convolution
       n = size(self%level)
       do j = 0, self%level(1)%last(2)
          call self%level(1)%put_row(j, 0, p(:, j))

@@ -88,6 +88,8 @@ module ehlwave_bare_result
       real(dp) :: work_units = 0                     !! work in plain FFT convolutions of the whole grid
       real(dp) :: work = 0                           !! operations counted, without error estimates and sensitivities,
       real(dp) :: counted_work_units = no_value      !! operations in units of a convolution
+      real(dp) :: own_convolution = no_value         !! operations of one deformation on the finest grid,
+      real(dp) :: own_units = no_value               !! and counted operations over them
       real(dp) :: all_work = 0                       !! operations with error estimates and sensitivities,
       real(dp) :: total_work_units = no_value        !! all operations in units of a convolution
       real(dp) :: peak_memory_mib = 0                !! peak memory of the process so far

@@ -133,10 +133,20 @@ contains
       if (present(keeper)) result%seconds = result%seconds + keeper%seconds_before
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
       result%counted_work_units = result%work/work_unit_operations(plan%cells_x, plan%cells_y)
+      result%own_convolution = convolution_of(steady)
+      result%own_units = result%work/result%own_convolution
       result%all_work = result%work + besides
       result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
+
+   !> Operations of one deformation on the finest grid.
+   pure real(dp) function convolution_of(steady)
+      type(shared_steady_t), intent(in) :: steady
+      associate (levels => steady%multigrid%levels)
+         convolution_of = levels(size(levels))%problem%deformation%convolution
+      end associate
+   end function convolution_of
 
    !> The caps that a case has used up; '' where none.
    function spent_text(plan, rescue) result(text)

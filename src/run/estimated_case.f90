@@ -1,4 +1,4 @@
-!> Runs one planned case and estimates the discretisation error of its Ad/Ai.
+!> Runs a planned case and estimates the discretisation error of its Ad/Ai.
 module ehlwave_estimated_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_accuracy_model, only: expected_step_error, spike_factor
@@ -23,18 +23,18 @@ module ehlwave_estimated_case
    private
    public :: run_estimated_case
 
-   integer, parameter :: fewest_cells = 24   !! of a coarser grid that is worth running
+   integer, parameter :: fewest_cells = 24   !! cells of a useful coarser grid
 
-   !> Error over what three grids show: of 240 random Ad/Ai in time four were off by 1.2 to 2 times that. Under slip, up
-   !> to S = 0.5 and 1.5, it grows by 0.5 more: one of S = 1.71 was off by 1.2 times the bound with 1.3 alone.
+   !> Factor on the error shown by three grids: of 240 random Ad/Ai in time four exceeded it, by 1.2 to 2 times. Under
+   !> slip, up to S = 0.5 and 1.5, it grows by 0.5: with 1.3 alone a case of S = 1.71 exceeded the bound 1.2 times.
    real(dp), parameter :: march_margin = 1.3_dp, slip_margin = 0.5_dp, largest_slip = 0.5_dp
 
    !> Asked to stop, the coarse runs are finished if that takes no longer.
    real(dp), parameter :: largest_delay_s = 10
 
-   !> Passes on what a coarse run tells and is asked.
+   !> Passes on progress and requests of a coarse run.
    type, extends(monitor_t) :: relay_t
-      class(monitor_t), pointer :: whole => null()   ! of the case
+      class(monitor_t), pointer :: whole => null()   ! monitor of the case
       real(dp) :: asked_s = huge(1.0_dp)             ! wall_seconds when it was to stop first
    contains
       procedure :: step_done => pass_on
@@ -43,13 +43,13 @@ module ehlwave_estimated_case
 contains
 
    !> Run a case as planned; with `error_estimate = 'coarse_grid'` also on grids of two and four times the mesh
-   !> size and time step (about a tenth of the cost), where these can tell anything, for a Richardson
-   !> estimate; what the step tolerance is expected to leave is added, as no grid shows it. Otherwise the
-   !> estimate is the expected error of the plan, if there is one. Linear responses come with their own estimate,
-   !> `harmonic_error`; without a transient there is none of its Ad/Ai. `shared`: see run_case.
+   !> size and time step (about a tenth of the cost), where these are useful, for a Richardson estimate; the
+   !> expected error by the step tolerance is added, as no grid shows it. Otherwise the estimate is the expected
+   !> error of the plan, if any. Linear responses come with their own estimate, `harmonic_error`; without a
+   !> transient there is none of its Ad/Ai. `shared`: see run_case.
    !>
    !> `keeper` keeps the march of the case itself; stopped in a coarse run, the case counts as interrupted, and its
-   !> coarse runs start again. When its time is up in a coarse run, the estimate is that of the plan.
+   !> coarse runs start again. When its time is up in a coarse run, the plan gives the estimate.
    subroutine run_estimated_case(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
@@ -57,7 +57,7 @@ contains
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), target, optional :: shared
       class(march_keeper_t), intent(inout), optional :: keeper   !! see `run_case`
-      real(dp), allocatable :: estimates(:), ratios(:, :)   ! of each surface
+      real(dp), allocatable :: estimates(:), ratios(:, :)   ! values of each surface
       real(dp) :: by_effects, estimate, seconds
       integer :: n, status
 
@@ -94,7 +94,7 @@ contains
                     *spike_factor(result%max_pressure)* &
                     max(maxval(estimates), plan%least_ratio_error(result%central_film_error)) + by_effects
          estimate = max(estimate, plan%light_ratio_error(result%central_film, .true.))
-         ! the response to the same waves, where it is there, has no better one
+         ! the response to the same waves, if available, has no better estimate
          if (ieee_is_finite(result%harmonic%error)) estimate = max(estimate, result%response_error())
          result%amplitude_ratio_error = estimate
          if (plan%steps > 0) result%amplitude_ratio_error = estimate + plan%expected%time &
@@ -118,10 +118,10 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout), target :: monitor
-      type(case_result_t), intent(inout) :: result      !! of the case: its work grows
-      real(dp), allocatable, intent(out) :: ratios(:, :)   !! of each surface, finer grid first
-      real(dp), intent(out) :: seconds                  !! what they took
-      integer, intent(out) :: status                    !! of the last one
+      type(case_result_t), intent(inout) :: result      !! result of the case: its work grows
+      real(dp), allocatable, intent(out) :: ratios(:, :)   !! ratios of each surface, finer grid first
+      real(dp), intent(out) :: seconds                  !! time of these runs
+      integer, intent(out) :: status                    !! status of the last run
       type(case_t) :: coarse_case
       type(case_plan_t) :: coarse_plan
       type(case_result_t) :: coarse_result
@@ -138,7 +138,7 @@ contains
       coarse_case%fields_every = 0
       coarse_case%sensitivities = .false.
       if (plan%is_fitted) coarse_case%scheme = 'fitted'
-      coarse_case%accuracy = 0                    ! is that of the case itself
+      coarse_case%accuracy = 0                    ! belongs to the case itself
       if (case%response /= 'periodic') coarse_case%response = 'transient'   ! others have their own estimate
       coarse_case%time_step_over_cell = 1.0_dp/plan%steps_per_cell   ! long steps have a part of their own
       cells = [plan%cells_x, plan%cells_y]
@@ -173,7 +173,7 @@ contains
       if (wall_seconds() - self%asked_s < largest_delay_s) self%request = go_on
    end subroutine pass_on
 
-   !> Whether a grid is fine enough for the difference to it to say something.
+   !> Whether a grid is fine enough for a meaningful difference.
    pure logical function can_tell(plan)
       type(case_plan_t), intent(in) :: plan
       real(dp) :: points(3)

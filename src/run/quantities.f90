@@ -196,6 +196,8 @@ contains
       call list%add('work_units', 'wall time in plain FFT convolutions of the grid', result%work_units)
       call list%add('counted_work_units', 'the same counted, without error estimates and sensitivities', &
          result%counted_work_units)
+      call list%add('own_units', 'the same in deformations of the program itself: half domain, precision of linear '// &
+         'systems', result%own_units)
       call list%add('total_work_units', 'the same with them, and with runs on coarser and finer grids', &
          result%total_work_units)
       call list%add('peak_memory_mib', 'peak memory of the process so far', result%peak_memory_mib, unit='MiB')

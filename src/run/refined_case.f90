@@ -90,6 +90,7 @@ contains
          again%work_units = again%work_units*(1 + result%seconds/again%seconds)
          again%work = again%work + result%work
          again%counted_work_units = again%work/work_unit_operations(finer%cells_x, finer%cells_y)
+         again%own_units = again%work/again%own_convolution
          again%all_work = again%all_work + result%all_work
          again%total_work_units = again%all_work/work_unit_operations(finer%cells_x, finer%cells_y)
          again%seconds = again%seconds + result%seconds

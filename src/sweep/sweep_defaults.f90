@@ -42,7 +42,7 @@ contains
       end if
       if (.not. is_possible) then
          call raise(error, folder//' contradicts itself: its file '//defaults_name//' has generation '// &
-                    to_text(origin%filed)//', its records have '//records// &
+                    to_text(origin%filed)//', its records say '//records// &
                     '. One of them is of another store, or damaged: put '// &
                     'the right one back, or remove '//defaults_name//' to have the records decide')
       else if (origin%filed /= not_said) then
@@ -50,7 +50,7 @@ contains
       else if (recorded /= not_said) then
          generation = recorded
          if (generation > 0) notice = 'NOTICE: '//folder//' had lost its file '//defaults_name// &
-            '; its records have '//records//', which it keeps'//new_line('a')
+            '; its records say '//records//', and it goes on so'//new_line('a')
       end if
    end subroutine choose_defaults
 

@@ -40,7 +40,7 @@ contains
          end associate
       end do
       call say(unit, to_text(size(sweep%cases))//' cases, '//to_text(count(sweep%plans%resolution%is_resolved))// &
-         ' resolved, '//to_text(sweep%skipped)//' unresolved cases left out')
+         ' resolved, '//to_text(sweep%skipped)//' unresolved ones left out')
       call print_expectation(unit, sweep%plans)
    end subroutine print_sweep_plan
 

@@ -31,7 +31,7 @@ contains
       share = load_factor*solver%problem%grid%integral(state%c)/solver%given%load%force
    end function share_of
 
-   !> A first state: that of the speed given if it can be had from the Hertz pressure, else at a small share.
+   !> A first state: at the given speed if found from the Hertz pressure, else at a small share.
    subroutine start_steady(solver, state, report)
       type(touching_solver_t), intent(inout) :: solver
       type(touching_state_t), intent(out) :: state

@@ -1,7 +1,7 @@
 !> One step of Newton's method for a contact whose surfaces may touch, by the full matrix.
 !>
 !> Unknowns, with q the change of P + C and the sets held: at each unknown node q, or the change of theta where it is
-!> cavitated, or that of P where solids bear; q of nodes where solids bear; Delta; ln(speed) where the share is given.
+!> cavitated, or of P where solids bear; q of nodes where solids bear; Delta; ln(speed) where the share is given.
 module ehlwave_touching_direct
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_dense_lu, only: solve_dense

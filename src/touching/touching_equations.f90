@@ -5,7 +5,7 @@
 !>     R_i = driven flow - (F_i - F_(i-1))/hX,    F_i = theta_i (3/2 f_i - 1/2 f_(i-1)),    f = rho H,
 !>
 !> the capacity of the gap at the face behind node i times the share that is filled. Each F leaves one cell and enters
-!> the next, so that no oil is made or lost. Along a characteristic f_(i-1) and F_(i-1) are those of the step before.
+!> the next, so that no oil is made or lost. Along a characteristic f_(i-1) and F_(i-1) belong to the step before.
 !> Where theta = 1 these are the differences of the full film, theory eq. (D1) and (D5).
 module ehlwave_touching_equations
    use ehlwave_contact_problem, only: contact_problem_t
@@ -24,7 +24,7 @@ module ehlwave_touching_equations
    integer, parameter, public :: link_i(links) = [0, 1, -1, 0, 0, -2]
    integer, parameter, public :: link_j(links) = [0, 0, 0, 1, -1, 0]
 
-   ! capacity at a face over that of its node, where the gap opens steeply
+   ! capacity at a face over its node's, where the gap opens steeply
    real(dp), parameter :: least_face = 0.25_dp
 
    !> Oil that the steps before pass on along the characteristics.
@@ -169,7 +169,7 @@ contains
       end associate
    end subroutine subtract_row
 
-   !> Derivatives at the state last evaluated, but for those of edges by their own pressure, which stays.
+   !> Derivatives at the state last evaluated, except derivatives of edges by their own pressure, which stays.
    subroutine linearise(self, past, state)
       class(touching_equations_t), intent(inout) :: self
       type(touching_past_t), intent(in) :: past

@@ -16,7 +16,7 @@ module ehlwave_time_history
       real(dp), allocatable :: f(:, :, :)      !! rho H of the steps before, (0:nx, 0:ny, steps); of a starved contact
                                                !! the data of `carry_content`
       real(dp) :: approach(3) = 0              !! Delta of the steps before
-      !> Steady difference of the mesh less that of long steps, for the steady film, (0:nx, 0:ny), theory eq. (D14);
+      !> Steady difference of the mesh less long steps, for the steady film, (0:nx, 0:ny), theory eq. (D14);
       !> not allocated for steps of at most one cell
       real(dp), allocatable, private :: steady_defect(:, :)
    contains

@@ -151,6 +151,7 @@ class Accuracy(TestCase):
             done = result["total_work_units"]*units[0]/units[1]
             self.assertLessEqual(done, 10*plan["expected_total_work_units"])
             self.assertGreaterEqual(result["total_work_units"], result["counted_work_units"])
+            self.assertTrue(2 < result["own_units"]/result["counted_work_units"] < 5, "the own deformation takes less than the unit")
             if status == "stalled":
                 self.assertIn("times its plan, is used up: &solver largest_total_steps", result["message"])
                 self.assertGreaterEqual(done, plan["largest_work_units"])

@@ -29,7 +29,7 @@ of films come from :func:`ehlwave.laws.warm_films.film_error`."""
 ELLIPSE_BAR = 0.05
 """More relative error of friction in ellipses: without it 4 of 32 fresh contacts are outside."""
 THICK_BAR, THICK_FILM = 0.12, 0.4
-"""More relative error of friction where the film exceeds this part of the Hertz approach (lines)."""
+"""More relative error of friction if the film exceeds this part of the Hertz approach (lines)."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
