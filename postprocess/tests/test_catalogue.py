@@ -29,11 +29,15 @@ def test_the_manual_names_them_all() -> None:
 
 
 def test_the_python_of_the_page_runs() -> None:
-    """Its indented blocks from the first on, without input files and formulas."""
+    """Its indented blocks from the first on, without input files, formulas and commands."""
     pint = pytest.importorskip("pint")
     page = (FOLDER.parents[1] / "manual" / "howto.md").read_text(encoding="utf-8")
     page = page.split("## Enter a slide-to-roll ratio")[0]
-    code = "\n".join(line[4:] for line in page.splitlines() if line.startswith("    "))
+    code = "\n".join(
+        line[4:]
+        for line in page.splitlines()
+        if line.startswith("    ") and not line.startswith("    ehlwave ")
+    )
     names: dict[str, object] = {"pint": pint}
     exec(compile(code, "howto.md", "exec"), names)  # the page of this repository
     assert isinstance(names["contact"], ehlwave.Contact)

@@ -56,7 +56,7 @@ def test_the_height_channel_is_chosen_or_asked(
     assert main(["surface", str(path), "--output", str(tmp_path / "s.h5")]) == 0
     assert "channel 'Height'" in capsys.readouterr().out
     path = write(tmp_path, "b.gwy", gwyddion({"Height trace": HEIGHT_M, "Height retrace": other}))
-    with pytest.raises(SurfaceError, match=r"'Height trace', 'Height retrace': say it by channel="):
+    with pytest.raises(SurfaceError, match=r"'Height trace', 'Height retrace': choose by channel="):
         read_surface(path)
     assert main(["surface", str(path), "--output", str(tmp_path / "s.h5")]) == 2
     assert "say it by --channel" in capsys.readouterr().err

@@ -42,17 +42,16 @@ contains
                key_t(minimum=0.0_dp))
       call see('oblique', 'whether the pattern is one plane wave cos(kx X + ky Y) in place of the product of cosines', &
                waves%oblique, key_t())
-      list%common%applies = .not. waves%amplitude_m > 0
+      list%common%applies = .true.
       list%common%when = ''
       list%common%is_written = waves%is_wavy()
       call see('amplitude_over_film', 'amplitude Ai over the smooth central film thickness', &
                waves%amplitude_over_film, key_t(above=0.0_dp, maximum=1.0_dp, counts=waves%is_wavy(), &
+                                                applies=.not. waves%amplitude_m > 0, &
                                                 when='waves ('//orientation//') without amplitude_m'//tail))
-      list%common%applies = waves%is_wavy()
-      list%common%when = 'waves ('//orientation//')'
-      list%common%is_late = .true.
       call see('amplitude_m', 'amplitude Ai of any size, in place of amplitude_over_film; needs dimensional '// &
-               'conditions', waves%amplitude_m, key_t(unit='m', above=0.0_dp, maximum=1e-3_dp))
+               'conditions', waves%amplitude_m, key_t(unit='m', above=0.0_dp, maximum=1e-3_dp, is_late=.true., &
+                                                      applies=waves%is_wavy(), when='waves ('//orientation//')'))
 
    contains
 

@@ -49,7 +49,7 @@ contains
       inlet%slide_roll = 1
       found = warm_inlet(data, inlet, 0.004_dp)
       call test%check(found%error > 0.2_dp*(1 - found%film_factor), 'films that slide are known less')
-      inlet%film = 0.9_dp
+      inlet%film = 1.1_dp
       found = warm_inlet(data, inlet, 0.004_dp)
       call test%check(.not. ieee_is_finite(found%error), 'no error beyond the range')
       call test%check(found%film_factor <= min(1 - inlet_loss(inlet), rough_film_factor(inlet%loading, 1.0_dp, 0.004_dp)), &

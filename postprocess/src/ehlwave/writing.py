@@ -13,7 +13,7 @@ import json
 import os
 import stat
 import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
     from matplotlib.figure import Figure
+    from PIL.Image import Image
 
 LIST_NAME = ".ehlwave-results"
 LIST_FORMAT = "ehlwave-list-of-results"
@@ -161,6 +162,12 @@ class Writer:
         """Write a figure in the format that the name ends with."""
         kind = Path(path).suffix[1:]
         return self.file(path, lambda part: figure.savefig(part, format=kind, **options))
+
+    def gif(self, path: str | Path, pictures: Sequence[Image], milliseconds: int) -> Path:
+        """Write pictures as an animation that repeats, each for this time."""
+        first, *rest = pictures
+        how = {"save_all": True, "append_images": rest, "duration": milliseconds, "loop": 0}
+        return self.file(path, lambda part: first.save(part, format="GIF", **how))
 
 
 def write_new_text(path: Path, text: str) -> None:

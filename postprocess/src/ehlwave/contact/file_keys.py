@@ -11,11 +11,27 @@ from typing import Any
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.contact.starvation import OIL_OVER_FLOODED
 from ehlwave.errors import SurfaceError, printable
-from ehlwave.inputs.key_classes import HEAT_DATA, OF_THE_SOLUTION, OF_WAVES, WITHOUT_EFFECT
+from ehlwave.inputs.key_classes import (
+    HEAT_DATA,
+    OF_THE_SOLUTION,
+    OF_TOUCHING,
+    OF_WAVES,
+    WITHOUT_EFFECT,
+)
 from ehlwave.inputs.key_values import EMPTY_HEAT, values_of
 from ehlwave.inputs.namelist import read_namelist
 
-GROUPS = ("conditions", "lubricant", "heat", "inlet", "grid", "solver", "dynamics", "output")
+GROUPS = (
+    "conditions",
+    "lubricant",
+    "heat",
+    "inlet",
+    "touching",
+    "grid",
+    "solver",
+    "dynamics",
+    "output",
+)
 OF_ROUGHNESS = ("waviness", "waviness2", "surface", "surface2")
 """Groups whose keys are left out whole: predictions have waves and surfaces of their own."""
 
@@ -52,7 +68,7 @@ LEFT_OUT = (
     OF_WAVES
     | OF_THE_SOLUTION
     | WITHOUT_EFFECT
-    | {"amplitude_over_film", "end_time", "natural_frequency", "levels"}
+    | {"amplitude_over_film", "amplitude_m", "end_time", "natural_frequency", "levels"}
 )
 """Keys that no prediction depends on; `natural_frequency` goes with `load_balance`."""
 
@@ -61,7 +77,7 @@ USED = (*KNOWN_KEYS, *HEAT_DATA, *KNOWN_LAWS, FLOW_LAW, TEMPERATURE, LIMIT, LIMI
 
 def is_classified(key: str) -> bool:
     """Return whether a key is classified for predictions."""
-    named = (*USED, *OTHER_INLET_KEYS, *NOT_USED, *LEFT_OUT)
+    named = (*USED, *OTHER_INLET_KEYS, *NOT_USED, *LEFT_OUT, *OF_TOUCHING)
     return key in named or key.startswith(LAW_PREFIXES)
 
 
@@ -92,6 +108,11 @@ def keys_of_file(path: Path) -> dict[str, Any]:
 def _check_groups(groups: Mapping[str, Any], place: str) -> None:
     if "heat" in groups and "oil_conductivity_w_per_m_k" not in groups["heat"]:
         raise SurfaceError(f"{place}: {EMPTY_HEAT}")
+    if "touching" in groups:
+        raise SurfaceError(
+            f"{place}: &touching: no law has surfaces that touch: remove the group, or compute the "
+            "contact with ehlwave-case"
+        )
     for key in groups.get("inlet", {}):
         if key != OIL_OVER_FLOODED:
             reason = OTHER_INLET_KEYS.get(str(key), "no law of starved contacts has this key")

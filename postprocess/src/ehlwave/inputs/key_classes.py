@@ -41,7 +41,7 @@ OF_THE_INLET = ("oil_over_flooded", "oil_layer_m", "oil_profile")
 
 OF_MARCHES = _names(
     """
-    amplitude_over_film load_balance natural_frequency load_factor end_time oil_change_factor
+    amplitude_over_film amplitude_m load_balance natural_frequency load_factor end_time oil_change_factor
     oil_change_start oil_change_length
     """
 )
@@ -62,11 +62,14 @@ WITHOUT_EFFECT = frozenset(
     _names(
         """
     file orientation_2 wavelength_over_a_2 wavelength_x_over_a_2 wavelength_y_over_a_2 oblique_2
-    amplitude_over_film_2 file_2 fields fields_every sensitivities mean_rise
+    amplitude_over_film_2 amplitude_m_2 phase_deg file_2 fields fields_every sensitivities mean_rise
     """
     )
 )
 """On the linear response to waves of the first surface."""
+
+OF_TOUCHING = frozenset(_names("film_m law softness_m stress_pa solid_friction share"))
+"""Keys of surfaces that touch, which have no linear response."""
 
 HEAT_DATA = _names(
     """

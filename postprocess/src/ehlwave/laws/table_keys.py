@@ -20,13 +20,16 @@ from ehlwave.inputs.key_classes import (
     OF_THE_INLET,
     OF_THE_OIL,
     OF_THE_SOLUTION,
+    OF_TOUCHING,
     WITHOUT_EFFECT,
 )
 
 CARRIED = (*OF_THE_OIL, *OF_THE_EDGES, *OF_THE_INLET, *OF_MARCHES)
 """Columns of a table, empty where a key does not apply."""
 
-CLASSIFIED = IN_COLUMNS | OF_THE_SOLUTION | WITHOUT_EFFECT | OF_THE_HEAT | frozenset(CARRIED)
+CLASSIFIED = (
+    IN_COLUMNS | OF_THE_SOLUTION | WITHOUT_EFFECT | OF_THE_HEAT | OF_TOUCHING | frozenset(CARRIED)
+)
 
 WORDS = ("edges", "load_balance", "viscosity_table", "oil_profile")
 """Keys whose values are text, besides the laws of the oil."""
@@ -45,6 +48,8 @@ def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:
             "the cases have heat (&heat): a table is for contacts of any size and speed, "
             "and their responses are not"
         )
+    if any(key in OF_TOUCHING for one in inputs for key in one):
+        raise ResultsError("the cases have surfaces that touch (&touching): no table has them")
     unknown = sorted({key for one in inputs for key in one} - CLASSIFIED)
     for key in unknown:
         values = sorted({str(one.get(key, "none")) for one in inputs})

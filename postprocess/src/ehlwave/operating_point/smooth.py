@@ -166,6 +166,8 @@ class SmoothContact:
             As of :class:`Contact`.
         heat : Heat or bool, optional
             True: film and friction with heat, by the own data of the oil and both bodies.
+        table : path or DataFrame, optional
+            Harmonic table that answers for waves, as of :class:`Contact`.
         **keys
             ``load_n``, for a line contact with ``length_m``, or ``load_n_per_m``;
             ``speeds_m_per_s``, of both surfaces (u1, u2), or ``mean_speed_m_per_s`` with

@@ -65,7 +65,6 @@ def write_animation(
     if target.suffix == ".mp4" and not FFMpegWriter.isAvailable():
         raise ResultsError(f"{target}: ffmpeg is missing: install it, or write a .gif file")
     count = instants(case).size
-    make = _gif if target.suffix == ".gif" else _mp4
     chosen = writer or Writer()
     with rc_context(STYLE):
         figure, update = animated_figure(case)
@@ -75,7 +74,9 @@ def write_animation(
                 update(fields_at(case, number))
                 yield figure
 
-        return chosen.file(target, lambda part: make(part, frames(), frames_per_second))
+        if target.suffix == ".gif":
+            return chosen.gif(target, _pictures(frames()), round(1000 / frames_per_second))
+        return chosen.file(target, lambda part: _mp4(part, frames(), frames_per_second))
 
 
 def animated_figure(case: xr.Dataset) -> tuple[Figure, Update]:
@@ -143,16 +144,14 @@ def _draw_line(axes: Axes, case: xr.Dataset, units: Units, tops: tuple[float, fl
     return update
 
 
-def _gif(path: Path, frames: Iterator[Figure], per_second: float) -> None:
+def _pictures(frames: Iterator[Figure]) -> list[Image.Image]:
     pictures = []
     for figure in frames:
         canvas = FigureCanvasAgg(figure)
         figure.set_dpi(DOTS_PER_INCH)
         canvas.draw()
         pictures.append(Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy()))
-    first, *rest = pictures
-    options = {"duration": round(1000 / per_second), "loop": 0}
-    first.save(path, format="GIF", save_all=True, append_images=rest, **options)
+    return pictures
 
 
 def _mp4(path: Path, frames: Iterator[Figure], per_second: float) -> None:
