@@ -6,8 +6,8 @@
   ``two_waves``;
 - accuracy and cost: ``accuracy``, ``all_keys``, ``answered``, ``error_time``, ``speed``,
   ``threads``, ``stability``, ``peers`` with ``peer_runs`` and ``peer_slippy``;
-- shipped data: ``atlas``, ``starvation``, ``heat``, ``heat_films``, ``heated_contacts``, ``inlet_law``,
-  ``inlet_tables``, ``judged``;
+- shipped data: ``atlas``, ``starvation``, ``heat``, ``heat_films``, ``heated_contacts``,
+  ``inlet_law``, ``inlet_tables``, ``judged``;
 - published values that tests compare: ``published``, ``rolling``.
 
 ``command`` is ``scripts/study``, which runs them all. ``section`` holds the parts of a report,

@@ -59,7 +59,7 @@ def test_the_height_channel_is_chosen_or_asked(
     with pytest.raises(SurfaceError, match=r"'Height trace', 'Height retrace': choose by channel="):
         read_surface(path)
     assert main(["surface", str(path), "--output", str(tmp_path / "s.h5")]) == 2
-    assert "say it by --channel" in capsys.readouterr().err
+    assert "choose by --channel" in capsys.readouterr().err
     assert_read(read_surface(path, ReadOptions(channel="height trace")))
     path = write(tmp_path, "c.gwy", gwyddion({"Amplitude": other}))
     with pytest.raises(SurfaceError, match="which channel holds the heights"):

@@ -34,7 +34,7 @@ class Tightening(TestCase):
             with self.subTest(time_step_over_cell=ratio):
                 fits = [wavy(cells, wavelength=2, dynamics={"end_time": 7.5},
                              solver={**TIGHT, "step_tolerance": 1e-5, "time_step_over_cell": ratio})["amplitude_ratio_fit"]
-                        for cells in [48, 96, 192]]
+                        for cells in [64, 128, 256]]
                 report(f"dT/hX = {ratio}: order {self.check_order(fits, 1.7, 'Ad/Ai'):.2f} of {fits}")
 
     def test_slip_runs(self):

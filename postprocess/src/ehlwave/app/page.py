@@ -56,7 +56,9 @@ class Page:
         self._kept: Answer | None = None
         self.keep = pn.widgets.Button(name="Keep to compare", width=150)
         self.keep.on_click(self._keep)
-        self.saving = pn.Row(*self.downloads, self.keep, visible=False, margin=(6, 0))
+        self.saving = pn.Row(
+            *self.downloads, self.keep, visible=False, margin=(6, 0), styles={"flex-wrap": "wrap"}
+        )
         for widget in (*self.contact.widgets, *self.surface.widgets):
             widget.param.watch(self._mark_old, "value")
 

@@ -41,8 +41,8 @@ OF_THE_INLET = ("oil_over_flooded", "oil_layer_m", "oil_profile")
 
 OF_MARCHES = _names(
     """
-    amplitude_over_film amplitude_m load_balance natural_frequency load_factor end_time oil_change_factor
-    oil_change_start oil_change_length
+    amplitude_over_film amplitude_m load_balance natural_frequency load_factor end_time
+    oil_change_factor oil_change_start oil_change_length
     """
 )
 """Further keys of a response in time; the linear response does not depend on them."""
