@@ -150,7 +150,8 @@ def fit(table: pd.DataFrame) -> list[Row]:
     unit = 0.1 * (np.abs(1 - found) + KNOWN)
 
     def law(p: Floats) -> Floats:
-        return inlet_factor(*columns, p) / unit
+        c10 = abs(p[9])  # G has no value for a negative coefficient, which a step of the fit tries
+        return inlet_factor(*columns, np.r_[p[:9], c10, p[10:]]) / unit
 
     fold = np.random.default_rng(1).permutation(len(table)) % FOLDS
     best, errors = held_out(law, found / unit, START, fold, **ROBUST)
