@@ -12,7 +12,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from ehlwave.contact import Conditions, conditions_from_keys
-from ehlwave.contact.heat_data import BodyHeat, Heat
+from ehlwave.contact.heat_data import Heat
 from ehlwave.laws.heat_laws import (
     FRICTION_COEFFICIENTS,
     WEDGE_POWER,
@@ -28,11 +28,14 @@ from studies import heat_films
 from studies.folds import held_out
 from studies.heated_contacts import (
     DENSITY,
-    EVEN_RANGES,
     EXPANSION,
+    LARGEST_ERROR,
     MORE,
     contact,
     dimensional_keys,
+    film_over_approach,
+    heat_of,
+    largest_error,
     write_more,
 )
 from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
@@ -51,10 +54,6 @@ FOLDS = 20
 """Parts of the contacts, each predicted by a fit to the others."""
 ROBUST = {"loss": "soft_l1", "f_scale": 0.03}
 """How laws are fitted."""
-LARGEST_ERROR = 0.03
-"""Error of films and friction of computed contacts; coarser contacts are left out."""
-RATIO_ERROR = 0.15
-"""Error of heavy films of bearings, whose ratio to the cold film on the same grid counts."""
 THICKEST = 0.4
 """Film by the formula over the Hertz approach; thicker films are rather rigid."""
 
@@ -66,7 +65,7 @@ def contacts(count: int, is_line: bool) -> list[Row]:
     while len(rows) < count:
         row = contact(rng, is_line, is_wide=True)
         c = conditions_from_keys(dimensional_keys(row))
-        film = (c.central_film_m or math.nan) / (c.hertz_approach_c_m or math.nan)
+        film = film_over_approach(c)
         if LOADS[0] <= c.m <= LOADS[1] and OILS[0] <= c.l <= OILS[1] and film < THICKEST:
             rows.append(row)
     return rows
@@ -92,7 +91,7 @@ def usable(folder: Path) -> pd.DataFrame:
     """Return the contacts that converged on a grid that resolves them, with the input of laws."""
     rows = []
     for name in ("lines", "points", *MORE):
-        largest = RATIO_ERROR if name == "bearings" else LARGEST_ERROR
+        largest = largest_error(name)
         pairs = zip(read_sweep(folder, name), read_sweep(folder, f"{name}_cold"), strict=True)
         for case, cold in pairs:
             if case["status"] != "converged" or not case["central_film_error"] < largest:
@@ -115,14 +114,7 @@ def _compared(case: Row, ratio: float) -> Row:
         {k: v for k, v in case.items() if not (isinstance(v, float) and math.isnan(v))}
     )
     c = conditions_from_keys(given)
-    bodies = (case[f"{name}_conductivity_w_per_m_k"] for name in ("body", "body2"))
-    named = (name for name in EVEN_RANGES if name not in given)
-    heat = Heat(
-        **{name: case[name] for name in named},
-        oil_density_kg_per_m3=DENSITY,
-        body=BodyHeat(next(bodies)),
-        body2=BodyHeat(next(bodies)),
-    )
+    heat = heat_of(case)
     warm_m = case["central_film_um"] * 1e-6
     film_m = warm_m * case["isothermal_central_film"] / case["central_film"]
     u = case["mean_speed_m_per_s"]

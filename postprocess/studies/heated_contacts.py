@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ehlwave.contact import conditions_from_keys
+from ehlwave.contact import Conditions, conditions_from_keys
+from ehlwave.contact.heat_data import BodyHeat, Heat
 from ehlwave.laws.inlet_warming import thermal_loading
 from studies.sweeps import Row, write_sweep
 
@@ -35,6 +36,10 @@ UNLIKE_SHARE = 0.3
 WIDE_RADII, WIDE_UNLIKE_SHARE = (4e-3, 1e-1), 0.5
 """Ranges of the contacts of this study."""
 DENSITY, EXPANSION = 870.0, 7e-4
+LARGEST_ERROR, RATIO_ERROR = 0.03, 0.15
+"""Error of films of computed contacts, above which they are left out; of heavy films of bearings,
+whose ratio to the cold film on the same grid counts.
+"""
 BEARING_LOADS, BEARING_OILS, BEARING_RATIOS = (100.0, 2e4), (2.0, 25.0), (0.012, 0.25)
 """M, L and D of contacts of rolling bearings, which roll."""
 BEARING_RADII, BEARING_HERTZ_PA, BEARING_LOADINGS = (8e-4, 2e-2), (5e8, 3.5e9), (5e-3, 8.0)
@@ -78,6 +83,23 @@ def dimensional_keys(row: Mapping[str, float]) -> dict[str, float]:
         *("pressure_viscosity_per_pa", "roelands_index"),
     )
     return {name: row[name] for name in names if name in row}
+
+
+def film_over_approach(c: Conditions) -> float:
+    """Return the film by the formula over the Hertz approach."""
+    return (c.central_film_m or math.nan) / (c.hertz_approach_c_m or math.nan)
+
+
+def heat_of(row: Row) -> Heat:
+    """Return the heat data of a drawn contact."""
+    own = {name: row[name] for name in EVEN_RANGES if name not in dimensional_keys(row)}
+    bodies = (BodyHeat(row[f"{name}_conductivity_w_per_m_k"]) for name in ("body", "body2"))
+    return Heat(**own, oil_density_kg_per_m3=DENSITY, body=next(bodies), body2=next(bodies))
+
+
+def largest_error(group: str) -> float:
+    """Return the error of films up to which computed contacts of a group count."""
+    return RATIO_ERROR if group == "bearings" else LARGEST_ERROR
 
 
 def bearing_contacts(count: int) -> list[Row]:
@@ -126,7 +148,7 @@ def thick_contacts(count: int) -> list[Row]:
     while len(rows) < count:
         row = contact(rng, is_line=True, is_wide=True)
         c = conditions_from_keys(dimensional_keys(row))
-        film = (c.central_film_m or math.nan) / (c.hertz_approach_c_m or math.nan)
+        film = film_over_approach(c)
         is_thick = film < THICK_FILMS[1] and (film > THICK_FILMS[0] or c.m < LIGHT)
         ranges = (THICK_LOADS[0] <= c.m <= THICK_LOADS[1], THICK_OILS[0] <= c.l <= THICK_OILS[1])
         if is_thick and all(ranges):

@@ -11,7 +11,6 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from ehlwave.contact import conditions_from_keys
-from ehlwave.contact.heat_data import BodyHeat, Heat
 from ehlwave.laws.inlet_warming import inlet_factor, thermal_loading, wall_parameter
 from ehlwave.laws.sheared_film import Sheared
 from studies.folds import held_out
@@ -19,13 +18,15 @@ from studies.heated_contacts import (
     BEARING_LOADS,
     BEARING_RATIOS,
     DENSITY,
-    EVEN_RANGES,
     EXPANSION,
     MORE,
     THICK_FILMS,
     THICK_LOADS,
     contact,
     dimensional_keys,
+    film_over_approach,
+    heat_of,
+    largest_error,
     loading_of,
     write_more,
 )
@@ -43,10 +44,6 @@ LOADINGS = (5e-3, 8.0)
 CIRCLE_SHARE, LOWEST_RATIO = 0.3, 0.03
 EVEN_SHARE, LARGEST_RATIO = 0.5, 1.9
 """Sliding contacts: this share is even in the ratio, the others are even in its logarithm."""
-LARGEST_ERROR = 0.03
-"""Error of films of computed contacts; coarser contacts are left out."""
-RATIO_ERROR = 0.15
-"""Error of heavy films of bearings, whose ratio to the cold film on the same grid counts."""
 FOLDS = 20
 SHARE_WITHIN = 95
 """Percentage of contacts within the error."""
@@ -56,7 +53,6 @@ ROBUST = {"loss": "soft_l1", "f_scale": 1.0}
 ERROR_SLIP = (0.2, 1.0)
 """Slide-to-roll ratios above which the error has another share of the loss."""
 START = (0.25, 0.92, 1.0, 2.1, 6.1, 0.8, 0.3, -0.8, -1.8, 5.0, 0.0)
-OF_CONDITIONS = ("roelands_index", "pressure_viscosity_per_pa")
 COLUMNS = (
     "loading",
     "slide_to_roll_ratio",
@@ -81,7 +77,7 @@ def contacts(count: int, is_line: bool) -> list[Row]:
             row["load_n"] *= d**-0.5 * (row["radius_x_m"] / row["radius_y_m"]) ** 0.5
             row["radius_y_m"] = float(f"{row['radius_x_m'] / d:.4g}")
         c = conditions_from_keys(dimensional_keys(row))
-        film = (c.central_film_m or math.nan) / (c.hertz_approach_c_m or math.nan)
+        film = film_over_approach(c)
         loading = loading_of(row)
         ranges = (LOADS[0] <= c.m <= LOADS[1], OILS[0] <= c.l <= OILS[1], film < THICKEST)
         if all(ranges) and LOADINGS[0] <= loading <= LOADINGS[1]:
@@ -107,9 +103,8 @@ def usable(folder: Path) -> pd.DataFrame:
     """Return the input of the law for contacts that converged on a resolving grid."""
     rows = []
     for name in ("lines", "points", *MORE):
-        largest = RATIO_ERROR if name == "bearings" else LARGEST_ERROR
         for case in read_sweep(folder, name):
-            if case["status"] == "converged" and case["central_film_error"] < largest:
+            if case["status"] == "converged" and case["central_film_error"] < largest_error(name):
                 rows.append(_compared(case))
     table = pd.DataFrame(rows)
     return table[table["loading"] <= LOADINGS[1]]
@@ -118,12 +113,7 @@ def usable(folder: Path) -> pd.DataFrame:
 def _compared(case: Row) -> Row:
     given = {k: v for k, v in case.items() if not (isinstance(v, float) and math.isnan(v))}
     c = conditions_from_keys(dimensional_keys(given))
-    heat = Heat(
-        **{name: case[name] for name in EVEN_RANGES if name not in OF_CONDITIONS},
-        oil_density_kg_per_m3=DENSITY,
-        body=BodyHeat(case["body_conductivity_w_per_m_k"]),
-        body2=BodyHeat(case["body2_conductivity_w_per_m_k"]),
-    )
+    heat = heat_of(case)
     u = case["mean_speed_m_per_s"]
     warm_m = case["central_film_um"] * 1e-6
     film_m = warm_m * case["isothermal_central_film"] / case["central_film"]

@@ -12,12 +12,12 @@ from scipy.optimize import least_squares
 
 import ehlwave
 from ehlwave.contact import conditions_from_keys
-from ehlwave.contact.heat_data import BodyHeat, Heat
 from ehlwave.errors import EhlwaveError
 from ehlwave.laws.warm_waves import FILM_POWER, warm_error, warm_ratio, warmth_of
 from ehlwave.writing import Writer
 from studies import heat
 from studies.atlas.waves import pattern
+from studies.heated_contacts import film_over_approach, heat_of
 from studies.judged.runs import groups_of, kept, log_uniform, solved
 from studies.sweeps import Row
 
@@ -44,7 +44,7 @@ def drawn(number: int) -> Row:
         row["slip_parameter"] = float(f"{1 + ratio / 2:.4g}")
         row["slide_to_roll_ratio"] = 2 * (row["slip_parameter"] - 1)
         c = conditions_from_keys(heat.dimensional_keys(row))
-        film = (c.central_film_m or np.nan) / (c.hertz_approach_c_m or np.nan)
+        film = film_over_approach(c)
         if heat.LOADS[0] <= c.m <= heat.LOADS[1] and heat.OILS[0] <= c.l and film < heat.THICKEST:
             break
     angle = 0.0 if is_line or random.random() < TRANSVERSE_SHARE else random.uniform(0, 80)
@@ -137,11 +137,7 @@ def compared(rows: Sequence[Row]) -> list[Row]:
             continue
         given = {k: v for k, v in heat.dimensional_keys(row).items() if k != "slide_to_roll_ratio"}
         given["slip_parameter"] = row["slip_parameter"]
-        names = (name for name in heat.EVEN_RANGES if name not in given)
-        bodies = (row[f"{name}_conductivity_w_per_m_k"] for name in ("body", "body2"))
-        body, body2 = (BodyHeat(conductivity) for conductivity in bodies)
-        own = {name: row[name] for name in names}
-        data = Heat(**own, oil_density_kg_per_m3=heat.DENSITY, body=body, body2=body2)
+        data = heat_of(row)
         wave = row["wavelength_over_a"], row["angle_deg"]
         try:
             film = ehlwave.Contact(**given, heat=data).film()

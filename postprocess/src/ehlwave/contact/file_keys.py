@@ -21,17 +21,6 @@ from ehlwave.inputs.key_classes import (
 from ehlwave.inputs.key_values import EMPTY_HEAT, values_of
 from ehlwave.inputs.namelist import read_namelist
 
-GROUPS = (
-    "conditions",
-    "lubricant",
-    "heat",
-    "inlet",
-    "touching",
-    "grid",
-    "solver",
-    "dynamics",
-    "output",
-)
 OF_ROUGHNESS = ("waviness", "waviness2", "surface", "surface2")
 """Groups whose keys are left out whole: predictions have waves and surfaces of their own."""
 

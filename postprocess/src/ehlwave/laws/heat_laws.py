@@ -28,8 +28,6 @@ FRICTION_BAR, COLD_BAR = 0.12, 0.021
 of films come from :func:`ehlwave.laws.warm_films.film_error`."""
 ELLIPSE_BAR = 0.05
 """More relative error of friction in ellipses: without it 4 of 32 fresh contacts are outside."""
-THICK_BAR, THICK_FILM = 0.12, 0.4
-"""More relative error of friction if the film exceeds this part of the Hertz approach (lines)."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
@@ -50,6 +48,8 @@ RANGES = {
 }
 """Ranges of the fit of the laws; D is 0 (lines) or 0.2 to 1."""
 LOWEST_RATIO = 0.2
+THICK_BAR, THICK_FILM = 0.12, RANGES["film over Hertz approach"][1]
+"""More relative error of friction of line contacts above this film over the Hertz approach."""
 
 
 @dataclass(frozen=True)

@@ -20,13 +20,13 @@ from ehlwave.results.case_figures import (
     STYLE,
     Units,
     conditions_text,
-    frame_map,
+    draw_map,
     units_of,
 )
 from ehlwave.results.case_file import central_film
 from ehlwave.results.figures import COLOURS
 from ehlwave.results.instants import fields_at, instants
-from ehlwave.results.map_panel import bar_beside, rolling_arrow
+from ehlwave.results.map_panel import rolling_arrow
 from ehlwave.writing import Writer
 
 DOTS_PER_INCH = 120
@@ -93,17 +93,7 @@ def animated_figure(case: xr.Dataset) -> tuple[Figure, Update]:
     meshes = []
     for axes, (name, colours, most, scale, title) in zip(maps, looks, strict=False):
         field = first[name]
-        mesh = axes.pcolormesh(
-            field["x"] * units.x,
-            field["y"] * units.y,
-            field * scale,
-            cmap=colours,
-            vmin=0,
-            vmax=most,
-            shading="gouraud",
-        )
-        bar_beside(axes, mesh, capped=name == "film")
-        frame_map(axes, field, units)
+        mesh = draw_map(axes, field, units, scale, colours, most, name == "film")
         axes.set_title(f"{name}, {title}")
         meshes.append((name, scale, mesh))
     if maps:

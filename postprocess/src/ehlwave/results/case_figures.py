@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib import rc_context
 from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from numpy.typing import NDArray
@@ -107,13 +108,13 @@ def case_figure(case: xr.Dataset, time: float | None = None) -> Figure:
             (film_map, pressure_map, history), (lengthwise, crosswise, spare) = upper[:3], lower[:3]
             more = [lower[3]] if has_heat else []
             if has_heat:
-                _draw_map(upper[3], case["rise_mid_film_k"], units, 1, "inferno")
+                draw_map(upper[3], case["rise_mid_film_k"], units, 1, "inferno")
                 upper[3].set_title("rise half-way across the film [K]")
             most = FILM_SHOWN * central_film(case) * units.film
-            _draw_map(film_map, case["film"], units, units.film, most=most)
+            draw_map(film_map, case["film"], units, units.film, most=most)
             rolling_arrow(film_map)
             film_map.set_title(f"film, {units.names[2]}")
-            _draw_map(pressure_map, case["pressure"], units, units.pressure, "magma")
+            draw_map(pressure_map, case["pressure"], units, units.pressure, "magma")
             pressure_map.set_title(f"pressure, {units.names[3]}")
             _draw_midplane(crosswise, case, units, "y")
             _draw_contours(spare, case, units)
@@ -129,15 +130,16 @@ def case_figure(case: xr.Dataset, time: float | None = None) -> Figure:
     return figure
 
 
-def _draw_map(
+def draw_map(
     axes: Axes,
     field: xr.DataArray,
     units: Units,
     scale: float,
     colours: str = "viridis",
     most: float | None = None,
-) -> None:
-    """Draw a map; values above `most` have the last colour."""
+    is_capped: bool | None = None,
+) -> QuadMesh:
+    """Draw a map; values above `most` have the last colour, which the bar shows if capped."""
     mesh = axes.pcolormesh(
         field["x"] * units.x,
         field["y"] * units.y,
@@ -148,8 +150,9 @@ def _draw_map(
         shading="gouraud",
         rasterized=True,
     )
-    bar_beside(axes, mesh, capped=most is not None)
+    bar_beside(axes, mesh, capped=most is not None if is_capped is None else is_capped)
     frame_map(axes, field, units)
+    return mesh
 
 
 def frame_map(axes: Axes, field: xr.DataArray, units: Units) -> None:
