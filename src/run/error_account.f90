@@ -99,7 +99,7 @@ contains
       text = 'edges '//trim(case%edges)
       if (case%edges == 'truncated') text = text//' (P = 0, film '//to_text(100*plan%film_domain_error, 2)// &
          ' % too thin)'
-      if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
+      if (case%has_linear_range()) then
          text = text//'; waves respond linearly up to Ai = '//linear_limit_text(case)
          if (is_beyond_linear(case)) text = text//', asked for '//to_text(100*case%amplitude_over_film, 3)//' %'
          if (is_beyond_linear(case) .and. case%is_pair()) text = text//' and '// &

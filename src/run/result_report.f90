@@ -170,7 +170,8 @@ contains
       function largest_b() result(text)
          character(len=:), allocatable :: text
          associate (r => result%shear)
-            text = ' (Newtonian oil)'
+            text = ''
+            if (case%oil%is_newtonian()) text = ' (Newtonian oil)'
             if (ieee_is_finite(r%largest_b)) text = '; shear by sliding up to '//to_text(r%largest_b, 3)// &
                ' times the stress of the oil; small pressure gradients at the centre drive '// &
                to_text(r%tangent_factor(1), 4)//' (X) and '//to_text(r%tangent_factor(2), 4)// &
