@@ -16,6 +16,7 @@ import xarray as xr
 from ehlwave.elements.columns import TEXTS
 from ehlwave.elements.figure import element_figure
 from ehlwave.elements.formulas import FORMULAS, heading, written
+from ehlwave.shown import split_words
 
 DOTS_PER_INCH = 130
 SUMMARY = (
@@ -49,7 +50,7 @@ def title(table: xr.Dataset) -> str:
     table : xarray.Dataset
         Of the element.
     """
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", str(table.attrs["element"])).capitalize()
+    return split_words(str(table.attrs["element"])).capitalize()
 
 
 def report_text(table: xr.Dataset) -> str:
