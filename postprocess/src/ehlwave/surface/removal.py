@@ -81,9 +81,9 @@ class Bands:
         """Return the bands, the one that lowers the lambda ratio most first.
 
         With the mean film h, smooth film plus rises, and the mean square m of the deformed heights,
-        d ln(lambda)/d ln(A) = 2 rise/h - m_band/m. The smallest film is a function f of the mean film
-        less the highest deformed point z, :func:`ehlwave.surface.amplitude.lowest_film`; it changes
-        by f' (2 rise - z_band).
+        d ln(lambda)/d ln(A) = 2 rise/h - m_band/m. The smallest film is a function f of the mean
+        film less the highest deformed point, :func:`ehlwave.surface.amplitude.lowest_film`; it
+        changes by f' (2 rise - z_band).
         """
         ratio, film = statistics.lambda_ratio_after, statistics.mean_film_m
         sums = np.array(list(self._sums.values()))
@@ -122,7 +122,7 @@ class Bands:
 
 
 def _places(qx: Floats, qy: Floats) -> tuple[NDArray[np.intp], int]:
-    """Return numbers of the bands of components, from that of the lowest octave, and this octave."""
+    """Return numbers of the bands of components, and the lowest octave, where they begin."""
     along, across = np.abs(qx), np.abs(qy)
     octave = -np.frexp(np.hypot(along, across))[1].astype(int)  # 2^octave: shortest wavelength
     turn = sum((across > limit * along).astype(int) for limit in STEEPER)
