@@ -20,6 +20,7 @@ module ehlwave_warm_steady
    public :: solve_warm
 
    integer, parameter :: most_rounds = 40, most_coarse_rounds = 20
+   integer, parameter :: first_steps = 2            !! steps of Newton's method for temperatures from the coarser level
    integer, parameter :: more_steps = 6             !! steps of Newton's method in a round, more than the usual 1: where
                                                     !! temperatures have settled, and where its active set goes to and
    real(dp), parameter :: stuck = 0.5_dp            !! fro, the residual exceeding the previous residual
@@ -39,7 +40,7 @@ module ehlwave_warm_steady
 
    !> Change of a state by heat.
    type :: warming_t
-      real(dp), allocatable :: p(:, :), rise(:, :, :)
+      real(dp), allocatable :: p(:, :), rise(:, :, :), into_wall(:, :, :)
       real(dp) :: delta = 0
    contains
       procedure :: to_finer
@@ -79,29 +80,33 @@ contains
             deallocate (below)
          end if
          energy = new_energy(intervals, scales, multigrid%levels(l)%problem%grid)
+         if (allocated(predicted)) energy%into_wall = predicted%into_wall
          here = limits
          if (l < n) here%tolerance = max(limits%tolerance, coarse_tolerance)
          call settle(multigrid, l, allocated(predicted), here, cap, energy)
          if (multigrid%levels(l)%report%status /= status_converged) cycle
          call multigrid%take_film(l)
-         if (l < n) below = warming_of(multigrid%levels(l), cold, predicted)
+         if (l < n) below = warming_of(multigrid%levels(l), cold, energy%into_wall, predicted)
       end do
    end subroutine solve_warm
 
    !> Change of a level's state by heat. Where it was predicted from the next coarser level, a quarter of the
    !> difference is added, the expected difference of the next finer grid.
-   pure function warming_of(level, cold, predicted) result(found)
+   pure function warming_of(level, cold, into_wall, predicted) result(found)
       type(level_t), intent(in) :: level
       type(state_t), intent(in) :: cold                    !! without heat
+      real(dp), intent(in) :: into_wall(:, 0:, 0:)         !! heat flows into both surfaces
       type(warming_t), intent(in), optional :: predicted
       type(warming_t) :: found
       found%p = level%state%p - cold%p
       found%delta = level%state%delta - cold%delta
       found%rise = level%problem%heat%rise
+      found%into_wall = into_wall
       if (.not. present(predicted)) return
       found%p = found%p + ahead*(found%p - predicted%p)
       found%delta = found%delta + ahead*(found%delta - predicted%delta)
       found%rise = found%rise + ahead*(found%rise - predicted%rise)
+      found%into_wall = found%into_wall + ahead*(found%into_wall - predicted%into_wall)
    end function warming_of
 
    !> Change on the next finer grid.
@@ -109,17 +114,25 @@ contains
       class(warming_t), intent(in) :: self
       type(grid_t), intent(in) :: coarse, fine
       type(warming_t) :: finer
-      real(dp), allocatable :: plane(:, :)
-      integer :: k
 
-      allocate (finer%p(0:fine%nx, 0:fine%ny), plane(0:fine%nx, 0:fine%ny))
-      allocate (finer%rise(lbound(self%rise, 1):ubound(self%rise, 1), 0:fine%nx, 0:fine%ny))
+      allocate (finer%p(0:fine%nx, 0:fine%ny))
       call interpolate(coarse, fine, self%p, finer%p)
       finer%delta = self%delta
-      do k = lbound(self%rise, 1), ubound(self%rise, 1)
-         call interpolate(coarse, fine, self%rise(k, :, :), plane)
-         finer%rise(k, :, :) = plane
-      end do
+      finer%rise = planes_of(self%rise)
+      finer%into_wall = planes_of(self%into_wall)
+
+   contains
+
+      function planes_of(values) result(found)
+         real(dp), intent(in) :: values(:, :, :)
+         real(dp) :: found(size(values, 1), 0:fine%nx, 0:fine%ny), plane(0:fine%nx, 0:fine%ny)
+         integer :: k
+         do k = 1, size(values, 1)
+            call interpolate(coarse, fine, values(k, :, :), plane)
+            found(k, :, :) = plane
+         end do
+      end function planes_of
+
    end function to_finer
 
    !> Change the state of a level, and its temperatures.
@@ -158,14 +171,14 @@ contains
          energy%film_difference = huge(before)
          report%status = status_stalled
          if (is_predicted) then
-            call improve(multigrid, l, limits, 1, .false., cap, report, total)
+            call improve(multigrid, l, limits, first_steps, .true., cap, report, total)
             energy%film_difference = abs(level%problem%grid%value_at_centre(level%state%h)/centre - 1)
          end if
          do round = 1, rounds
             rise = level%problem%heat%rise
             do again = 1, marches
                if (again > 1) call energy%weigh(level%problem, level%state)
-               call march(multigrid, l, is_predicted .or. round > 1, energy)
+               call march(multigrid, l, is_predicted .or. round > 1, cap, energy)
                if (.not. (energy%difference > far .and. energy%difference/ahead_of_film > energy%film_difference)) exit
             end do
             is_settled = .false.
@@ -205,14 +218,17 @@ contains
    end subroutine settle
 
    !> Temperatures by a march through the film of a level.
-   subroutine march(multigrid, l, is_solved, energy)
+   subroutine march(multigrid, l, is_solved, cap, energy)
       type(full_multigrid_t), intent(inout), target :: multigrid
       integer, intent(in) :: l
       logical, intent(in) :: is_solved             !! whether it was the last that was solved for
+      class(capped_solver_t), intent(inout) :: cap
       type(energy_t), intent(inout) :: energy
       type(equations_t), target :: own
       type(equations_t), pointer :: equations
+      real(dp) :: work_before
 
+      work_before = multigrid%work()
       associate (level => multigrid%levels(l))
          equations => null()
          if (is_solved) equations => multigrid%last_equations(l)
@@ -223,6 +239,7 @@ contains
          end if
          call energy%march(level%problem, level%state, equations%flow, until_film_ends=.true.)
       end associate
+      cap%work_left = cap%work_left - (multigrid%work() - work_before)
    end subroutine march
 
    !> Steps of Newton's method under the temperatures of a level, within the cap; the last is judged or kept. `total`
