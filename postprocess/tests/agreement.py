@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from drawn_contacts import Drawn, drawn
+from studies.judged.drawn_contacts import Drawn, drawn
 
 import ehlwave
 from ehlwave.app.contacts import Given
