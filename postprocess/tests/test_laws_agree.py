@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 from agreement import door_differences, response_differences
-from studies.judged.drawn_contacts import Drawn, drawn
 
 import ehlwave
+from studies.judged.drawn_contacts import Drawn, drawn
 
 SOURCES = Path(ehlwave.__file__).parent
 LAWS = {

@@ -13,7 +13,7 @@ import ehlwave
 from ehlwave.errors import EhlwaveError
 from ehlwave.programs.case_input import case_groups, case_keys
 from studies.atlas.waves import pattern
-from studies.judged.any_contact import contact
+from studies.judged.any_contact import contact, cost
 from studies.judged.runs import kept, solved
 from studies.sweeps import Row
 
@@ -119,10 +119,8 @@ def waves(number: int, folder: Path) -> Row:
     if is_marched:
         true += cmath.rect(found["amplitude_ratio_fit"], found["phase_fit"]) - plain
     own = found["harmonic_error"] * abs(plain)
-    if c.is_starved:  # the law has amplitudes alone
-        off = abs(abs(response.film) - abs(true))
-    else:
-        off = abs(response.film - true)
+    # The law of starved contacts has amplitudes alone.
+    off = abs(response.film - true) if response.has_phase else abs(abs(response.film) - abs(true))
     row |= {"real": true.real, "imaginary": true.imag, "response_own": own}
     return row | {"response_off": off}
 
@@ -137,9 +135,10 @@ def _grid(is_line: bool, lengths: dict[str, float], is_marched: bool) -> Row:
 
 
 def computed(path: Path, count: int, at_once: int) -> list[Row]:
-    """Return rows of so many contacts: films first, responses second."""
-    rows = kept(path, range(count), films, at_once)
-    more = kept(path.with_name(f"{path.stem}_waves.jsonl"), range(count), waves, at_once)
+    """Return rows of so many contacts: films first, responses second, quick contacts first."""
+    numbers = sorted(range(count), key=cost)
+    rows = kept(path, numbers, films, at_once)
+    more = kept(path.with_name(f"{path.stem}_waves.jsonl"), numbers, waves, at_once)
     return [*rows, *more]
 
 

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-import ehlwave
 from ehlwave.contact.starvation import FILM_RANGES
 from ehlwave.errors import EhlwaveError
 from ehlwave.laws.atlas.kinds import KINDS
@@ -29,20 +28,25 @@ NEAR, MODULUS_PA, HOT_SHARE, STARVED_SHARE = 0.03, 2.26e11, 0.4, 0.15
 WAVES = (0.25, 3.0)
 
 
+def kind_of(number: int) -> str:
+    """Return the kind of the contact of a number."""
+    place, is_end = divmod(number, 2)
+    kinds = ENDS if is_end else CATALOGUE
+    return kinds[place % len(kinds)]
+
+
 def contact(number: int, seed: int = SEED) -> tuple[str, Drawn]:
     """Return kind, contact and wave of a number."""
     random = np.random.default_rng([seed, number])
-    place, is_end = divmod(number, 2)
-    if is_end:
-        kind = ENDS[place % len(ENDS)]
+    kind = kind_of(number)
+    if number % 2:
         return kind, _at_ends(kind, random)
-    kind = CATALOGUE[place % len(CATALOGUE)]
     if kind == "any":
         return kind, drawn(1, int(random.integers(2**31)))[0]
-    return kind, _of_element(kind, number, seed, random)
+    return kind, _of_element(kind, number, random)
 
 
-def _of_element(kind: str, number: int, seed: int, random: np.random.Generator) -> Drawn:
+def _of_element(kind: str, number: int, random: np.random.Generator) -> Drawn:
     """Return a contact of a bearing, a gear or a cam, some hot or starved."""
     given = ball_contacts if kind == "balls" else _LINES[number // 8 % len(_LINES)]
     (one,) = given(count=1, seed=int(random.integers(2**31)))
@@ -104,3 +108,10 @@ def _wave(random: np.random.Generator, is_line: bool) -> tuple[float, float]:
     angle = 0.0 if is_line or random.random() < 0.3 else random.uniform(0, 90)
     angle = 90.0 if not is_line and random.random() < 0.2 else angle
     return log_uniform(random, *WAVES), float(f"{angle:.4g}")
+
+
+def cost(number: int) -> int:
+    """Return a key that sorts contacts by the time that they take: lines come first."""
+    order = ("line", "rolling_wide", "sliding", "balls", "any", "starved")
+    kind = kind_of(number)
+    return next((k for k, name in enumerate(order) if kind.startswith(name)), len(order))
