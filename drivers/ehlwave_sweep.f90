@@ -45,7 +45,7 @@ program ehlwave_sweep
       '  --retry files     run cases once more whose files had other numbers when they were stored', &
       '  --overwrite       drop the store and the results file, begin anew', &
       '  --status FILE     print the content of a store (counts, slowest, failed, time left); compute nothing', &
-      '  --keys            all keys of a sweep file, with defaults and meaning; --markdown: as inputs/README.md', &
+      '  --keys            all keys of a sweep file, with defaults and meaning; --markdown: as in inputs/keys', &
       '  --version         version of the program; --verbose: with build, libraries, MPI, processor', &
       '  --help            this text', &
       '', &

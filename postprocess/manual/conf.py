@@ -31,6 +31,8 @@ include_patterns = [
     "CHANGELOG.md",
     "CONTRIBUTING.md",
     "src/theory.md",
+    "inputs/*.md",
+    "inputs/keys/*.md",
     "postprocess/*.md",
     "postprocess/examples/*.md",
     "postprocess/manual/**",

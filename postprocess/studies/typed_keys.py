@@ -1,9 +1,12 @@
-"""Write the keys of the program as types, for editors and type checkers.
+"""Write the keys of the program as types, for editors and type checkers, and as pages.
 
 python -m studies.typed_keys   writes src/ehlwave/inputs/keys.py and key_table.py from
-                               ehlwave-case --keys --json
+                               ehlwave-case --keys --json, and the pages of inputs/keys from
+                               ehlwave-sweep --keys --markdown
 """
 
+import re
+import subprocess
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -11,10 +14,12 @@ from typing import Any
 
 from ehlwave.cases.keys import key_table
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
+from ehlwave.programs.programs import find_program
 from ehlwave.writing import Writer
 
 PLACE = Path(__file__).parents[1] / "src" / "ehlwave" / "inputs" / "keys.py"
 TABLE_PLACE = PLACE.with_name("key_table.py")
+PAGES = Path(__file__).parents[2] / "inputs" / "keys"
 TYPES = {"number": "SupportsFloat", "whole": "SupportsIndex", "truth": "bool", "word": "str"}
 WIDTH = 100
 
@@ -133,13 +138,25 @@ def _cut(text: str) -> str:
     return text.rstrip(":;,")
 
 
+def pages(reference: str) -> dict[Path, str]:
+    """Return a page for each group of the reference that the program prints."""
+    groups = re.split(r"^#(?=# `&(\w+)`$)", reference, flags=re.MULTILINE)[1:]
+    return {
+        PAGES / f"{name}.md": text.rstrip("\n") + "\n"
+        for name, text in zip(groups[::2], groups[1::2], strict=True)
+    }
+
+
 def main(arguments: Sequence[str] = ()) -> int:
-    """Write the module."""
+    """Write modules and pages."""
     if arguments:
         print(__doc__)
         return 2
     rows: Any = key_table().to_dict("records")
-    for place, text in ((PLACE, module(rows)), (TABLE_PLACE, table(rows))):
+    words = [str(find_program("ehlwave-sweep")), "--keys", "--markdown"]
+    reference = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    texts = {PLACE: module(rows), TABLE_PLACE: table(rows), **pages(reference)}
+    for place, text in texts.items():
         Writer(overwrite=True).text(place, text)
     return 0
 

@@ -35,8 +35,9 @@ def public() -> Iterator[tuple[str, Callable[..., Any]]]:
 
 
 def keys_of_inputs() -> set[str]:
-    """Return the keys of input files, as the table in their README lists them."""
-    text = (Path(__file__).parents[2] / "inputs/README.md").read_text(encoding="utf-8")
+    """Return the keys of input files, as the tables of their pages list them."""
+    pages = sorted((Path(__file__).parents[2] / "inputs/keys").glob("*.md"))
+    text = "\n".join(page.read_text(encoding="utf-8") for page in pages)
     words = {line.split("`")[1] for line in text.splitlines() if line.startswith("| `")}
     return words | {"slip", "S", "wavelength_over_b"}
 

@@ -1,6 +1,6 @@
 !> Errors by the edges of a domain, and how large a domain an accuracy needs.
 module ehlwave_domain_choice
-   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_definition, only: case_t, roughness_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_far_field, only: far_field_t, new_far_field, rising_exponent
    use ehlwave_film_flow, only: film_flow_t
@@ -27,6 +27,7 @@ module ehlwave_domain_choice
    !> Factor on the viscosity lost by shear at the inlet edge. One contact exceeded it 1.6 times (M = 48, L = 15,
    !> D = 0.04, Ree-Eyring).
    real(dp), parameter :: thinned_margin = 1.6_dp
+   real(dp), parameter :: wave_factor = 0.25_dp, slip_factor = 4   !! see `share_of_waves`
    real(dp), parameter :: share_of_accuracy = 0.3_dp      !! for the domain, where it is chosen
    real(dp), parameter :: largest_scale = 32
 
@@ -70,7 +71,8 @@ contains
    end function may_enlarge
 
    !> Relative errors by the edges of a domain `scale` times that of a case: of H(0,0), and of Ad/Ai, without waves both
-   !> of H(0,0).
+   !> of H(0,0). Flooded edges leave in waves a share of the error that P = 0 there leaves in the film, see
+   !> `share_of_waves`.
    pure function expected_domain_errors(case, conditions, rheology, scale) result(errors)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
@@ -80,7 +82,7 @@ contains
       type(conditions_t) :: contact, heavier
       type(far_field_t) :: far
       real(dp), parameter :: step = 0.01_dp
-      real(dp) :: by_load, by_pressure, film, inlet, side, slope, thickening, thinned
+      real(dp) :: by_load, by_pressure, by_waves, film, inlet, side, slope, thickening, thinned
 
       thickening = rheology%thickening()
       far = new_far_field(conditions, thickening)
@@ -94,6 +96,8 @@ contains
       film = far%film_at(inlet, 0.0_dp)
       by_pressure = pressure_factor*far%strength(inlet, 0.0_dp)/film**2
       by_load = max(0.0_dp, slope)*far%load_outside(inlet, side)
+      by_waves = share_of_waves(case, conditions, scale, &
+                                1 - exp(-(rising_exponent + thickening)*by_pressure - by_load))
       if (case%edges == 'flooded') then
          thinned = thinning_at(rheology, conditions, film)
          by_pressure = max(flooded_pressure_share, thinned_margin*thinned)*(rising_exponent + thickening)*by_pressure
@@ -102,8 +106,34 @@ contains
          by_pressure = thickening*by_pressure
       end if
       errors = 1 - exp(-by_pressure - by_load)
-      if (case%has_ratio() .and. case%edges /= 'flooded') errors(2) = ratio_share*errors(2)
+      if (.not. case%has_ratio()) return
+      if (case%edges /= 'flooded') errors(2) = ratio_share*errors(2)
+      if (case%edges == 'flooded') errors(2) = min(1.0_dp, errors(2) + by_waves)
    end function expected_domain_errors
+
+   !> Relative error of Ad/Ai by waves that reach beyond the inlet edge: the far field at a flooded edge has no waves.
+   !> The share of the film error with P = 0 there grows with the cube of the wavelength over the inlet, then is 1.
+   !> Under slip the wave of the oil starts at the edge, where the film of light contacts is thin.
+   pure real(dp) function share_of_waves(case, conditions, scale, truncated) result(error)
+      type(case_t), intent(in) :: case
+      type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: scale
+      real(dp), intent(in) :: truncated   !! error of H(0,0) with P = 0 at the edges
+      real(dp) :: long
+
+      long = wave_factor*(max(length_of(case%roughness_t), length_of(case%second))/abs(scale*case%x_min))**3
+      error = truncated*long/(1 + long)
+      if (long > 0) error = error + slip_factor*abs(conditions%slip_parameter - 1)*truncated**2
+   end function share_of_waves
+
+   !> 2 pi over the wave number of waves that vary along X, in units of a; 0 for others.
+   pure real(dp) function length_of(waves)
+      type(roughness_t), intent(in) :: waves
+      length_of = 0
+      if (.not. (waves%is_wavy() .and. waves%wavelength_x_over_a > 0)) return
+      length_of = waves%wavelength_x_over_a
+      if (waves%wavelength_y_over_a > 0) length_of = 1/norm2([1/waves%wavelength_x_over_a, 1/waves%wavelength_y_over_a])
+   end function length_of
 
    !> Share of the viscosity, for the flow along X, that an oil loses by the shear of its film at ambient pressure. The
    !> far field is that of an oil that loses none.

@@ -31,6 +31,8 @@ contains
    !> Relative difference to expect between Ad/Ai of the waves of a case and of small waves.
    elemental real(dp) function expected_nonlinearity(case) result(difference)
       type(case_t), intent(in) :: case
+      difference = 0
+      if (.not. case%has_linear_range()) return
       difference = curvature(case, case%slip_parameter)*case%amplitude_over_film**2
       if (case%second%is_wavy()) difference = difference &
          + curvature(case, 2 - case%slip_parameter)*case%second%amplitude_over_film**2

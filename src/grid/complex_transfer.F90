@@ -6,7 +6,7 @@ module ehlwave_complex_transfer
    use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
-   public :: interpolate, inject, prolong, restrict
+   public :: interpolate, inject, prolong, prolong_transposed, restrict, restrict_transposed
 
 contains
 

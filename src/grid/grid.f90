@@ -32,6 +32,7 @@ module ehlwave_grid
       generic :: integral => real_integral, complex_integral
       procedure, private :: real_integral, complex_integral
       procedure :: value_at_centre
+      procedure :: centre_weights
    end type grid_t
 
    !> Width of the strip that represents a line contact: under the Hertz pressure of a line, (1 - X^2)^(1/2), it bears
@@ -178,22 +179,36 @@ contains
    pure real(dp) function value_at_centre(self, field)
       class(grid_t), intent(in) :: self
       real(dp), intent(in) :: field(0:, 0:)   !! (0:nx, 0:ny)
-      real(dp) :: wx(-1:2), wy(-1:2)
-      integer :: i, j, k, row
+      real(dp) :: weight(16)
+      integer :: k, node(2, 16)
 
-      call cubic_weights(-self%x(0)/self%hx, self%nx, i, wx)
-      if (self%is_line) then
-         value_at_centre = dot_product(wx, field(i - 1:i + 2, 0))
-         return
-      end if
-      call cubic_weights(-self%y(0)/self%hy, self%ny, j, wy, lowest=merge(-1, 0, self%is_half))
+      call self%centre_weights(node, weight)
       value_at_centre = 0
-      do k = -1, 2
-         if (abs(wy(k)) <= 0) cycle
-         row = abs(j + k)
-         value_at_centre = value_at_centre + wy(k)*dot_product(wx, field(i - 1:i + 2, row))
+      do k = 1, size(weight)
+         if (abs(weight(k)) > 0) value_at_centre = value_at_centre + weight(k)*field(node(1, k), node(2, k))
       end do
    end function value_at_centre
+
+   !> Nodes whose weighted values sum to the value at the centre. A node may come twice.
+   pure subroutine centre_weights(self, node, weight)
+      class(grid_t), intent(in) :: self
+      integer, intent(out) :: node(2, 16)     !! i, j
+      real(dp), intent(out) :: weight(16)
+      real(dp) :: wx(-1:2), wy(-1:2)
+      integer :: i, j, k, m
+
+      call cubic_weights(-self%x(0)/self%hx, self%nx, i, wx)
+      wy = [0, 1, 0, 0]
+      j = 0
+      if (.not. self%is_line) &
+         call cubic_weights(-self%y(0)/self%hy, self%ny, j, wy, lowest=merge(-1, 0, self%is_half))
+      do k = -1, 2
+         do m = -1, 2
+            node(:, 4*k + m + 6) = [i + m, abs(j + k)]
+            weight(4*k + m + 6) = wy(k)*wx(m)
+         end do
+      end do
+   end subroutine centre_weights
 
    !> Lagrange weights of the four nodes base-1..base+2 around a position in units of the mesh size.
    pure subroutine cubic_weights(position, cells, base, weight, lowest)

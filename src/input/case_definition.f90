@@ -82,6 +82,7 @@ module ehlwave_case_definition
       procedure :: is_pair
       procedure :: is_rough
       procedure :: has_ratio
+      procedure :: has_linear_range
       procedure :: moves
       procedure :: marches
       procedure :: responds
@@ -147,5 +148,11 @@ contains
       class(case_t), intent(in) :: self
       has_ratio = self%is_wavy() .and. .not. self%second%is_measured()
    end function has_ratio
+
+   !> Whether small waves of the case have an Ad/Ai of their own: waves of any size on touching surfaces do not.
+   elemental logical function has_linear_range(self)
+      class(case_t), intent(in) :: self
+      has_linear_range = self%has_ratio() .and. .not. self%effects%touching%is_given()
+   end function has_linear_range
 
 end module ehlwave_case_definition

@@ -1,4 +1,4 @@
-!> The reference of a table of keys, as text for a terminal and as Markdown for inputs/README.md.
+!> The reference of a table of keys, as text for a terminal and as Markdown for the pages of inputs/keys.
 module ehlwave_key_reference
    use ehlwave_case_key, only: key_t, key_value_t, value_text, word_kind
    use ehlwave_case_keys, only: case_key_list

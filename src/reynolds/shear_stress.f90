@@ -10,7 +10,7 @@ module ehlwave_shear_stress
    implicit none (type, external)
    private
    public :: friction_at, friction_of, friction_outside, knows_stress, mean_shear_stress, node_gradient, oil_of_row, &
-      shear_stress
+      shear_stress, stress_at
 
    real(dp), parameter, public :: least_pressure = 1e-12_dp   !! P of nodes that bear; solvers leave 1e-30 at some
                                                               !! cavitated nodes
@@ -115,27 +115,39 @@ contains
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
       real(dp), allocatable, dimension(:, :), intent(out) :: stress, b, factor_x, factor_y   !! (0:nx, 0:ny)
-      real(dp), dimension(0:problem%grid%nx) :: drho, fluidity, rho
-      type(across_film_t), allocatable :: across
       real(dp), allocatable, dimension(:, :) :: gx, gy
-      real(dp) :: factor(2, 0:problem%grid%nx)
-      integer :: j
 
-      associate (grid => problem%grid, c => problem%conditions, p => state%p, h => state%h)
+      associate (grid => problem%grid, c => problem%conditions, p => state%p)
          call grid%new_field(stress)
          call grid%new_field(b)
          call grid%new_field(factor_x)
          call grid%new_field(factor_y)
          allocate (gx, gy, mold=stress)
          if (.not. problem%rheology%is_newtonian()) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
-         do j = 0, grid%ny
-            call oil_of_row(problem, state, j, rho, drho, fluidity, across)
-            call stress_in(problem, fluidity, h(:, j), gx(:, j), gy(:, j), stress(:, j), b(:, j), factor, across)
-            factor_x(:, j) = factor(1, :)
-            factor_y(:, j) = factor(2, :)
-         end do
+         call stress_at(problem, state, gx, gy, stress, b, factor_x, factor_y)
       end associate
    end subroutine shear_stress
+
+   !> Stress, B and factors under given pressure gradients dP/dX and kappa dP/dY.
+   subroutine stress_at(problem, state, gx, gy, stress, b, factor_x, factor_y)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      real(dp), intent(in), dimension(0:, 0:) :: gx, gy
+      real(dp), intent(inout) :: stress(0:, 0:)
+      real(dp), intent(inout), dimension(0:, 0:), optional :: b, factor_x, factor_y
+      real(dp), dimension(0:problem%grid%nx) :: drho, fluidity, rho, speed
+      type(across_film_t), allocatable :: across
+      real(dp) :: factor(2, 0:problem%grid%nx)
+      integer :: j
+
+      do j = 0, problem%grid%ny
+         call oil_of_row(problem, state, j, rho, drho, fluidity, across)
+         call stress_in(problem, fluidity, state%h(:, j), gx(:, j), gy(:, j), stress(:, j), speed, factor, across)
+         if (present(b)) b(:, j) = speed
+         if (present(factor_x)) factor_x(:, j) = factor(1, :)
+         if (present(factor_y)) factor_y(:, j) = factor(2, :)
+      end do
+   end subroutine stress_at
 
    !> Stress at places with a fluidity and a film.
    subroutine stress_in(problem, fluidity, h, gx, gy, stress, b, factor, across)

@@ -73,6 +73,8 @@ module ehlwave_bare_result
       type(pair_result_t) :: pair                    !! results of the second rough surface, and of both
       type(oil_sensitivity_t) :: by_oil(2)           !! by ln(alpha), by ln(stress of the flow law)
       type(gradient_t), allocatable :: by_key(:)     !! by each variable, if asked for
+      integer :: transposed_solves = 0               !! transposed linear solves of the derivatives
+      real(dp) :: transposed_work = 0                !! operations that they took
       type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates
       type(rolling_result_t) :: rolling              !! its resistance to rolling
       character(len=:), allocatable :: warning       !! relevant effect that the model lacks, else empty

@@ -33,7 +33,7 @@ contains
                                          algebraic=case%tolerance &
                                          *merge(multigrid_share, steady_share, case%method == 'fas'))
       if (case%method == 'fas') result%minimum_film_error = result%minimum_film_error + smallest_share*case%tolerance
-      if (ieee_is_finite(result%amplitude_ratio_fit)) then
+      if (any(ieee_is_finite([result%amplitude_ratio_fit, result%pair%ratio_fit]))) then
          result%ratio_errors = errors_in_time(case, plan, result)
       else if (ieee_is_finite(result%harmonic%ratio)) then
          result%ratio_errors = error_parts_t(mesh=result%response_error(), domain=plan%domain_error, &
@@ -57,10 +57,11 @@ contains
          parts%mesh = plan%model_ratio_error(result%max_pressure, result%central_film_error)
       if (result%amplitude_error_basis == 'coarse_grid') &
          parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)
-      if (ieee_is_finite(result%harmonic%ratio) .and. case%effects%changing() == '') &
+      if (ieee_is_finite(result%amplitude_ratio_fit/result%harmonic%ratio) .and. case%effects%changing() == '') &
          parts%amplitude = abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1)
-      if (ieee_is_finite(result%pair%harmonic%ratio)) &
+      if (ieee_is_finite(result%pair%ratio_fit/result%pair%harmonic%ratio)) &
          parts%amplitude = max(parts%amplitude, abs(result%pair%ratio_fit/result%pair%harmonic%ratio - 1))
+      parts%amplitude = max(parts%amplitude, result%pair%overtone_error)
    end function errors_in_time
 
    !> The sum, without the domain where its edges are truncated: that is the problem as it was asked for.
@@ -99,7 +100,7 @@ contains
       text = 'edges '//trim(case%edges)
       if (case%edges == 'truncated') text = text//' (P = 0, film '//to_text(100*plan%film_domain_error, 2)// &
          ' % too thin)'
-      if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
+      if (case%has_linear_range()) then
          text = text//'; waves respond linearly up to Ai = '//linear_limit_text(case)
          if (is_beyond_linear(case)) text = text//', asked for '//to_text(100*case%amplitude_over_film, 3)//' %'
          if (is_beyond_linear(case) .and. case%is_pair()) text = text//' and '// &

@@ -67,7 +67,7 @@ contains
       end if
       call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
-      if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
+      if (.not. any(ieee_is_finite(ratios_of(plan, result)))) return
       by_effects = result%effects%film_error()
       estimate = max(plan%model_ratio_error(result%max_pressure, result%central_film_error), &
                      plan%light_ratio_error(result%central_film, .false.))
@@ -88,11 +88,12 @@ contains
          ratios = reshape([ratios_of(plan, result), ratios], [size(ratios, 1), size(ratios, 2) + 1])
          estimates = [(estimate_error(ratios(n, :), order), n=1, size(ratios, 1))]
       end associate
-      if (all(ieee_is_finite(estimates))) then
+      if (all(ieee_is_finite(estimates) .or. .not. ieee_is_finite(ratios(:, 1)))) then
          ! the pressure spike of a light contact grows with the grid, and takes the waves along
          estimate = (march_margin + slip_margin*min(1.0_dp, abs(plan%conditions%slip_parameter - 1)/largest_slip)) &
                     *spike_factor(result%max_pressure)* &
-                    max(maxval(estimates), plan%least_ratio_error(result%central_film_error)) + by_effects
+                    max(maxval(estimates, ieee_is_finite(estimates)), &
+                        plan%least_ratio_error(result%central_film_error)) + by_effects
          estimate = max(estimate, plan%light_ratio_error(result%central_film, .true.))
          ! the response to the same waves, if available, has no better estimate
          if (ieee_is_finite(result%harmonic%error)) estimate = max(estimate, result%response_error())

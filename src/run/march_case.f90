@@ -7,17 +7,19 @@ module ehlwave_march_case
    use ehlwave_effects_result, only: effects_result_t
    use ehlwave_energy, only: energy_t
    use ehlwave_full_multigrid, only: full_multigrid_t
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_march_result, only: march_result_t
    use ehlwave_march_settings, only: march_settings_t
    use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_overtones, only: overtone_error, resolved_periods
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_rescue, only: rescue_t
    use ehlwave_settling, only: settling_error, unrest_text, wave_parts
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_status, only: status_converged, status_interrupted, status_name
    use ehlwave_surface_plan, only: surface_positions
+   use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    use ehlwave_time_march, only: march_t, steps_per_stretch
    implicit none (type, external)
@@ -168,12 +170,14 @@ contains
       real(dp), intent(in) :: crest                   !! X where the patterns had a crest at T = 0
       type(case_result_t), intent(inout) :: result    !! with the smooth film
       complex(dp) :: parts(size(plan%surfaces%list))
+      real(dp) :: heights(size(plan%surfaces%list))    ! over the film
       integer :: n
 
       associate (film => history%central_film(first:history%steps), time => history%time(first:history%steps), &
                  surfaces => plan%surfaces, list => plan%surfaces%list)
          if (size(list) == 1) result%amplitude_ratio = sampled_amplitude(film)/list(1)%amplitude(result%central_film)
          parts = wave_parts(surfaces, result%central_film, time, film)
+         heights = abs(parts)/result%central_film
          do n = 1, size(list)
             parts(n) = parts(n)/list(n)%amplitude(result%central_film)
          end do
@@ -185,10 +189,33 @@ contains
             result%pair%ratio_fit = abs(parts(2))
             result%pair%phase_fit = atan2(aimag(parts(2)), real(parts(2), dp))
          end if
-         result%mean_film = fitted_mean(time(2:), film(2:), surfaces%periods())
+         result%mean_film = fitted_mean(time(2:), film(2:), resolved_periods(surfaces, time(2) - time(1)))
+         call judge_overtones(surfaces, heights, time(2) - time(1), result)
          if (.not. (surfaces%are_apart() .or. surfaces%are_one())) call add_warning(result, 'the waves of both '// &
             'surfaces pass the centre with one frequency, so that the film cannot separate them: no Ad/Ai')
       end associate
    end subroutine take_last_period
+
+   !> Error of the waves of two surfaces by overtones, and no Ad/Ai where it may be an overtone.
+   subroutine judge_overtones(surfaces, heights, time_step, result)
+      type(surfaces_t), intent(in) :: surfaces
+      real(dp), intent(in) :: heights(:)              !! heights of the waves in the film, over the film
+      real(dp), intent(in) :: time_step
+      type(case_result_t), intent(inout) :: result
+      real(dp), parameter :: largest = 0.5_dp         ! error from which on nothing is known of the wave
+      real(dp) :: error
+      integer :: n
+
+      do n = 1, size(heights)
+         error = overtone_error(surfaces, n, heights, time_step)
+         result%pair%overtone_error = max(result%pair%overtone_error, error)
+         if (.not. error > largest) cycle
+         call add_warning(result, 'no Ad/Ai of surface '//to_text(n)//': overtones of the larger waves may have '// &
+            'its frequency and height; take another wavelength, smaller waves on the other surface, or '// &
+            "response = 'harmonic'")
+         if (n == 1) result%amplitude_ratio_fit = no_value
+         if (n == 2) result%pair%ratio_fit = no_value
+      end do
+   end subroutine judge_overtones
 
 end module ehlwave_march_case

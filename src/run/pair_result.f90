@@ -9,6 +9,7 @@ module ehlwave_pair_result
    type, public :: pair_result_t
       real(dp) :: ratio_fit = no_value       !! Ad/Ai of the waves of surface 2 in time, and their phase, as those of
       real(dp) :: phase_fit = no_value       !! the first
+      real(dp) :: overtone_error = 0         !! relative error of Ad/Ai by overtones of the other surface's waves
       real(dp), allocatable :: surface_position(:)   !! of a measured surface 2, at the contact centre, m
       type(harmonic_result_t) :: harmonic    !! linear response to the waves of surface 2
       real(dp) :: film_rms = no_value        !! rms of H(0,0) by both waves over its mean, phases free, linear

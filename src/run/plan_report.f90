@@ -53,7 +53,7 @@ contains
          write (unit, '(a)') 'Waviness     '//surface_text(case%roughness_t, plan%surfaces%list(1), c)
          if (case%is_pair()) write (unit, '(a)') '  surface 2  '// &
             surface_text(case%second, plan%surfaces%list(2), c)//', speed 2 - S = '//to_text(2 - c%slip_parameter, 6)
-         if (plan%surfaces%is_rough() .and. case%has_ratio() .and. is_beyond_linear(case)) &
+         if (is_beyond_linear(case)) &
             write (unit, '(a)') '             WARNING: such waves may respond unlike small waves: take Ai '// &
             '(amplitude_over_film) below '//linear_limit_text(case)//', or compare by response = ''both'''
          write (unit, '(a)') 'Run          '//run_text(case, plan)

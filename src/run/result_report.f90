@@ -42,9 +42,9 @@ contains
          if (ieee_is_finite(result%amplitude_ratio)) write (unit, '(a)') 'Amplitude    Ad/Ai = '// &
             to_text(result%amplitude_ratio, 5)//' (samples), '// &
             to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit)'//formula()
-         if (case%is_pair() .and. ieee_is_finite(result%pair%ratio_fit)) write (unit, '(a)') 'Amplitudes   Ad/Ai = '// &
-            to_text(result%amplitude_ratio_fit, 5)//' of surface 1, '//to_text(result%pair%ratio_fit, 5)// &
-            ' of surface 2 (harmonic fit)'
+         if (case%is_pair() .and. any(ieee_is_finite([result%amplitude_ratio_fit, result%pair%ratio_fit]))) &
+            write (unit, '(a)') 'Amplitudes   Ad/Ai = '//shown(result%amplitude_ratio_fit)//' of surface 1, '// &
+            shown(result%pair%ratio_fit)//' of surface 2 (harmonic fit)'
          if (plan%responds) call print_response('Response     Ad/Ai = ', result%harmonic)
          if (plan%responds .and. case%is_pair()) call print_response('  surface 2  Ad/Ai = ', result%pair%harmonic)
          if (ieee_is_finite(result%pair%film_rms)) write (unit, '(a)') '  both       rms of H(0,0) over its mean '// &
@@ -99,6 +99,14 @@ contains
             text = to_text(result%nonlinear_steps)//' Newton and '//to_text(result%linear_steps)//' GMRES steps'
          end if
       end function iterations
+
+      !> A ratio, or that there is none.
+      function shown(ratio) result(text)
+         real(dp), intent(in) :: ratio
+         character(len=:), allocatable :: text
+         text = 'none'
+         if (ieee_is_finite(ratio)) text = to_text(ratio, 5)
+      end function shown
 
       function friction_error() result(text)
          character(len=:), allocatable :: text
@@ -170,7 +178,8 @@ contains
       function largest_b() result(text)
          character(len=:), allocatable :: text
          associate (r => result%shear)
-            text = ' (Newtonian oil)'
+            text = ''
+            if (case%oil%is_newtonian()) text = ' (Newtonian oil)'
             if (ieee_is_finite(r%largest_b)) text = '; shear by sliding up to '//to_text(r%largest_b, 3)// &
                ' times the stress of the oil; small pressure gradients at the centre drive '// &
                to_text(r%tangent_factor(1), 4)//' (X) and '//to_text(r%tangent_factor(2), 4)// &

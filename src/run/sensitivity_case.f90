@@ -6,23 +6,22 @@
 module ehlwave_sensitivity_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_result, only: case_result_t, gradient_t, of_central_film, of_friction, of_minimum_film, of_phase, &
-      of_ratio, of_rolling_coefficient, of_rolling_force
+   use ehlwave_case_result, only: case_result_t, gradient_t, of_central_film, of_phase, of_ratio
    use ehlwave_case_variables, only: case_variables
-   use ehlwave_contact_gradient, only: moved_state
+   use ehlwave_contact_gradient, only: held_state
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_contact_variant, only: contact_variable_t
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_inlet_oil, only: inlet_oil_t
-   use ehlwave_kinds, only: dp, no_value
+   use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
-   use ehlwave_response_gradient, only: differentiate_response, response_basis_t
-   use ehlwave_rolling_result, only: rolling_coefficient
-   use ehlwave_shared_steady, only: shared_steady_t
-   use ehlwave_shear_stress, only: friction_of, knows_stress, shear_stress
+   use ehlwave_response_gradient, only: response_adjoint_t
+   use ehlwave_result_slopes, only: smooth_results, take_results
+   use ehlwave_shared_steady, only: adjoint_tolerance, shared_steady_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
+   use ehlwave_steady_gradient, only: steady_gradient_t
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
@@ -41,16 +40,22 @@ contains
       type(case_result_t), intent(inout) :: result
       type(contact_variable_t), allocatable :: variables(:)
       type(gradient_t) :: gradient
+      real(dp) :: values(smooth_results)
       integer :: n, x
 
       allocate (variables, source=all_variables(case, plan, steady))
-      call steady%differentiate(case, variables)
       allocate (result%by_key(size(variables) - size(oil_names)))
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
+         call take_results(level%problem, level%state, level%state, values)
+         call steady%differentiate(case, variables, ieee_is_finite(values))
+         associate (work => pack(steady%gradient%adjoints%work, ieee_is_finite(values)))
+            result%transposed_solves = count(work > 0)
+            result%transposed_work = sum(work)
+         end associate
          do n = 1, size(variables)
             gradient = gradient_t(name=variables(n)%name)
-            if (steady%gradient%changes(n)%status == status_converged) &
-               call differentiate_results(level, variables(n), steady%gradient%changes(n)%state, gradient)
+            if (allocated(variables(n)%variants)) &
+               call differentiate_results(level, variables(n), n, steady%gradient, gradient)
             x = n - size(result%by_key)
             if (x < 1) then
                result%by_key(n) = gradient
@@ -98,63 +103,26 @@ contains
    end function all_variables
 
    !> Derivatives of the results of the smooth contact by a variable.
-   subroutine differentiate_results(level, variable, change, gradient)
+   subroutine differentiate_results(level, variable, n, steady, gradient)
       type(level_t), intent(inout) :: level
       type(contact_variable_t), intent(in) :: variable
-      type(state_t), intent(in) :: change               !! du/dx
+      integer, intent(in) :: n                          !! its place in `steady`
+      type(steady_gradient_t), intent(in) :: steady
       type(gradient_t), intent(inout) :: gradient
       type(contact_problem_t) :: problem
-      type(state_t) :: base, state
-      real(dp) :: values(of_rolling_force)
+      type(state_t) :: state
+      real(dp) :: values(smooth_results)
       integer :: k
 
-      base = level%state
-      call take_results(level%problem, base, base, values)
-      gradient%of(:of_rolling_force) = merge(0.0_dp, values, ieee_is_finite(values))   ! NaN stays
+      gradient%of(:smooth_results) = [(steady%change(k, n), k=1, smooth_results)]
       do k = 1, size(variable%variants)
          call variable%stand_in(k, level%problem, problem)
-         call moved_state(problem, variable%changes_kernel, level%given, base, change, variable%variants(k)%place, &
-                          state)
-         call take_results(problem, state, base, values)
-         gradient%of(:of_rolling_force) = gradient%of(:of_rolling_force) + variable%variants(k)%weight*values
+         call held_state(problem, variable, level%given, level%state, state)
+         call take_results(problem, state, level%state, values)
+         gradient%of(:smooth_results) = gradient%of(:smooth_results) + variable%variants(k)%weight*values
          call variable%give_back(level%problem, problem)
       end do
    end subroutine differentiate_results
-
-   !> Logarithms of the results of a state beside the base: films in metres where lengths are known, else in units of c.
-   !> NaN: no such result.
-   subroutine take_results(problem, state, base, values)
-      type(contact_problem_t), intent(in) :: problem
-      type(state_t), intent(in) :: state, base          !! node of the smallest film and cavitated
-                                                        !! nodes of the base
-      real(dp), intent(out) :: values(:)
-      real(dp), allocatable, dimension(:, :) :: b, factor_x, factor_y, stress
-      real(dp) :: friction, length
-      integer :: thinnest(2)
-
-      length = 1
-      if (problem%conditions%has_dimensions) length = problem%conditions%c_m
-      thinnest = minloc(base%h) - 1
-      values(of_central_film) = log(length*problem%grid%value_at_centre(state%h))
-      values(of_minimum_film) = log(length*state%h(thinnest(1), thinnest(2)))
-      friction = 0
-      if (knows_stress(problem%conditions)) then
-         call shear_stress(problem, state, stress, b, factor_x, factor_y)
-         friction = friction_of(problem%grid, stress, base%p, 0.0_dp)
-      end if
-      values(of_friction) = ln_modulus(friction)
-      values(of_rolling_coefficient) = ln_modulus(rolling_coefficient(problem, state))
-      associate (data => problem%conditions%data)
-         values(of_rolling_force) = values(of_rolling_coefficient) + ln_modulus(max(data%load_n, data%load_n_per_m))
-      end associate
-   end subroutine take_results
-
-   !> NaN for 0 and NaN.
-   elemental real(dp) function ln_modulus(value)
-      real(dp), intent(in) :: value
-      ln_modulus = no_value
-      if (abs(value) > 0) ln_modulus = log(abs(value))
-   end function ln_modulus
 
    !> Derivatives of the transfer function T from the pattern to H(0,0), of ln|T| and of its phase.
    subroutine find_response_sensitivities(case, plan, steady, response, result)
@@ -164,26 +132,32 @@ contains
       type(harmonic_response_t), intent(in) :: response      !! its last state, converged
       type(case_result_t), intent(inout) :: result
       type(contact_variable_t), allocatable :: variables(:)
-      type(harmonic_response_t) :: derivative
-      type(response_basis_t) :: basis
+      type(response_adjoint_t) :: adjoint
+      complex(dp) :: change
       integer :: n, x
 
       allocate (variables, source=all_variables(case, plan, steady))
-      do n = 1, size(variables)
-         if (steady%gradient%changes(n)%status /= status_converged) cycle
-         call differentiate_response(steady%response, steady%multigrid%levels, response, plan%steps_per_cell, &
-            variables(n), steady%gradient%changes(n), steady%gradient%oil(:, n), basis, derivative)
-         if (derivative%status /= status_converged) cycle
-         x = n - size(result%by_key)
-         if (x < 1) then
-            result%by_key(n)%of(of_ratio) = real(derivative%film/response%film, dp)
-            result%by_key(n)%of(of_phase) = aimag(derivative%film/response%film)
-         else
-            result%by_oil(x)%response_real = real(derivative%film, dp)
-            result%by_oil(x)%response_imaginary = aimag(derivative%film)
-            result%by_oil(x)%response = real(derivative%film/response%film, dp)
-         end if
-      end do
+      associate (levels => steady%multigrid%levels)
+         result%transposed_work = result%transposed_work - steady%multigrid%work()
+         call adjoint%find(steady%response, levels, plan%surfaces%list(1), response, adjoint_tolerance(case))
+         result%transposed_work = result%transposed_work + steady%multigrid%work()
+         result%transposed_solves = result%transposed_solves + adjoint%solves
+         if (adjoint%status /= status_converged) return
+         do n = 1, size(variables)
+            if (.not. allocated(variables(n)%variants)) cycle
+            call adjoint%derivative(steady%response, levels(size(levels)), response, plan%steps_per_cell, &
+                                    variables(n), steady%gradient%slopes(:, n), steady%gradient%oil(:, n), change)
+            x = n - size(result%by_key)
+            if (x < 1) then
+               result%by_key(n)%of(of_ratio) = real(change/response%film, dp)
+               result%by_key(n)%of(of_phase) = aimag(change/response%film)
+            else
+               result%by_oil(x)%response_real = real(change, dp)
+               result%by_oil(x)%response_imaginary = aimag(change)
+               result%by_oil(x)%response = real(change/response%film, dp)
+            end if
+         end do
+      end associate
    end subroutine find_response_sensitivities
 
 end module ehlwave_sensitivity_case

@@ -5,7 +5,7 @@ module ehlwave_sensitivity_quantities
    use ehlwave_case_result, only: case_result_t, gradient_t, gradients, of_central_film, of_friction, of_minimum_film, &
       of_phase, of_ratio, of_rolling_coefficient, of_rolling_force
    use ehlwave_case_variables, only: variable_names
-   use ehlwave_kinds, only: no_value
+   use ehlwave_kinds, only: dp, no_value
    use ehlwave_quantity, only: quantity_list_t
    implicit none (type, external)
    private
@@ -25,6 +25,11 @@ contains
       integer :: n
 
       call add_by_oil(list, case, result)
+      call list%add('sensitivity_solves', 'transposed linear solves of the derivatives: one for a result of the '// &
+         'smooth contact, a complex and two real ones for the response', result%transposed_solves, &
+         exists=case%sensitivities)
+      call list%add('sensitivity_work_units', 'counted work units of one of them, on average', work_units(result), &
+         exists=case%sensitivities)
       if (.not. case%sensitivities) return
       associate (names => variable_names(case))
          do n = 1, size(names)
@@ -36,6 +41,14 @@ contains
          end do
       end associate
    end subroutine add_sensitivities
+
+   !> Work of a transposed solve in the unit of the counted work; NaN without solves.
+   pure real(dp) function work_units(result)
+      type(case_result_t), intent(in) :: result
+      work_units = no_value
+      if (result%transposed_solves > 0 .and. result%all_work > 0) work_units = &
+         result%transposed_work/result%transposed_solves*result%total_work_units/result%all_work
+   end function work_units
 
    !> Leave out variables of results that are not given.
    pure function of_known_results(gradient, result) result(known)

@@ -5,6 +5,7 @@ module ehlwave_settling
    use ehlwave_case_result, only: case_result_t
    use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_march_result, only: march_result_t
+   use ehlwave_overtones, only: resolved_periods
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
@@ -35,7 +36,7 @@ contains
       error = change_in_a_period(case, plan, history, result)
       if (.not. is_moved_besides(case)) return
       associate (surfaces => plan%surfaces)
-         periods = surfaces%periods()
+         periods = resolved_periods(surfaces, plan%dt)
          allocate (parts(size(surfaces%list), 0), means(0), misfits(0))
          do n = 2, 0, -1
             before = n*nint(surfaces%longest_period()/plan%dt)
@@ -131,19 +132,21 @@ contains
       if (case%settling_periods >= 1 .and. .not. case%end_time > 0) change = settling_share*change
    end function change_in_a_period
 
-   !> The wave of each surface in the film at the centre, as by `fitted_harmonic`. Two waves of equal frequency cannot
-   !> be separated there: they have their shares of a single pattern, else it is NaN.
+   !> The wave of each surface in the film at the centre, as by `fitted_harmonic`, beside the overtones of two. Two
+   !> waves of equal frequency cannot be separated there: they have their shares of a single pattern, else it is NaN.
    pure function wave_parts(surfaces, central_film, time, film) result(parts)
       type(surfaces_t), intent(in) :: surfaces        !! surfaces that move
       real(dp), intent(in) :: central_film            !! smooth H(0,0)
       real(dp), intent(in) :: time(:), film(:)        !! H(0,0) at T
       complex(dp) :: parts(size(surfaces%list))
+      complex(dp), allocatable :: waves(:)
       real(dp) :: amplitudes(size(surfaces%list))
       integer :: n
 
       associate (list => surfaces%list)
          if (surfaces%are_apart()) then
-            parts = fitted_harmonics(time, film, surfaces%periods())
+            waves = fitted_harmonics(time, film, resolved_periods(surfaces, time(2) - time(1)))
+            parts = waves(:size(list))
          else
             amplitudes = [(list(n)%amplitude(central_film), n=1, size(list))]
             parts = (no_value, no_value)

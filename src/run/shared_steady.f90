@@ -1,5 +1,6 @@
 !> Steady state of a contact and the linear systems about it, shared by all its patterns.
 module ehlwave_shared_steady
+   use ehlwave_bare_result, only: of_rolling_coefficient, of_rolling_force
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_contact_variant, only: contact_variable_t
@@ -19,7 +20,7 @@ module ehlwave_shared_steady
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: grid_of, limits_of, steady_key
+   public :: adjoint_tolerance, grid_of, limits_of, steady_key
 
    !> It owns the hierarchy. Such a large object is a `class` here and where it is declared: for a `type` gfortran
    !> writes copies and ends of all its parts into each procedure, which compiles three times as long.
@@ -35,7 +36,7 @@ module ehlwave_shared_steady
       integer :: many_nodes = 1000000                !! above which linear systems are not kept side by side
       real(dp) :: work = 0                           !! operations that the steady state took
       type(effects_result_t) :: effects              !! effects of the steady state
-      real(dp), private :: linear_work = 0, derivative_work = 0   ! work of linear systems and derivatives kept with it
+      real(dp), private :: linear_work = 0   ! work of linear systems kept with it
       real(dp), private :: kept_work = 0, mark = 0   ! work by other cases for the present one; count at its start
       logical, private :: is_linearised = .false., is_differentiated = .false.
       character(len=:), allocatable, private :: key  ! key of the steady state held, if reusable
@@ -197,24 +198,41 @@ contains
       call self%response%count_tangent(self%multigrid%levels)
    end subroutine make_room
 
-   !> Derivatives of the steady state by variables.
-   subroutine differentiate(self, case, variables)
+   !> Derivatives of the results of the steady state by variables.
+   subroutine differentiate(self, case, variables, is_wanted)
       class(shared_steady_t), intent(inout) :: self
       type(case_t), intent(in) :: case
       type(contact_variable_t), intent(in) :: variables(:)
-      real(dp) :: work_before
+      logical, intent(in) :: is_wanted(:)   !! results
+      integer :: r
 
-      if (self%is_differentiated .and. self%gradient%serves(variables)) then
-         self%kept_work = self%kept_work + self%derivative_work
-         return
-      end if
-      work_before = self%multigrid%work()
       call self%response%find_tangent(self%multigrid%levels)
-      call self%gradient%find(self%response%tangent, self%multigrid%levels, self%effects%starvation%flooded, &
-                              variables, min(tangent_tolerance, case%tolerance))
-      self%is_differentiated = .true.
-      self%derivative_work = self%multigrid%work() - work_before
+      associate (gradient => self%gradient, levels => self%multigrid%levels, tangent => self%response%tangent)
+         if (self%is_differentiated .and. gradient%serves(variables)) then
+            self%kept_work = self%kept_work + gradient%work
+         else
+            call gradient%find(tangent, levels, self%effects%starvation%flooded, variables, adjoint_tolerance(case))
+            self%is_differentiated = .true.
+         end if
+         do r = 1, size(is_wanted)
+            if (.not. is_wanted(r)) cycle
+            if (allocated(gradient%adjoints(r)%vector)) then
+               self%kept_work = self%kept_work + gradient%adjoints(r)%work
+            else if (r == of_rolling_force) then   ! the coefficient times the load, which is given
+               gradient%adjoints(r) = gradient%adjoints(of_rolling_coefficient)
+               gradient%adjoints(r)%work = 0
+            else
+               call gradient%solve(tangent, levels, r, adjoint_tolerance(case))
+            end if
+         end do
+      end associate
    end subroutine differentiate
+
+   !> Tolerance of the transposed systems.
+   pure real(dp) function adjoint_tolerance(case)
+      type(case_t), intent(in) :: case
+      adjoint_tolerance = min(tangent_tolerance, case%tolerance)
+   end function adjoint_tolerance
 
    !> The finest grid.
    pure function grid_of(case, plan) result(grid)

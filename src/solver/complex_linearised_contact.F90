@@ -5,7 +5,7 @@ module ehlwave_complex_linearised_contact
    use ehlwave_complex_gmres, only: linear_system_t
    use ehlwave_complex_ilu, only: ilu_t, new_ilu
    use ehlwave_complex_near_rows, only: near_rows
-   use ehlwave_complex_transfer, only: prolong, restrict
+   use ehlwave_complex_transfer, only: prolong, prolong_transposed, restrict, restrict_transposed
    use ehlwave_complex_wedge, only: wedge_t
    use ehlwave_cycle_settings, only: cycle_settings_t, diagonal_shift
    use ehlwave_deformation, only: deformation_t
@@ -17,6 +17,7 @@ module ehlwave_complex_linearised_contact
    use ehlwave_real_transfer, only: inject
    use ehlwave_near_kernel, only: near_kernel_t, new_near_kernel
    use ehlwave_reynolds, only: reynolds_change
+   use ehlwave_reynolds_transposed, only: reynolds_transposed
    use ehlwave_reynolds_links, only: flow_links, poiseuille_links
    use ehlwave_threads, only: is_shared, row_block, team_size, thread_number
    use ehlwave_work_unit, only: weights => complex_weights
@@ -30,6 +31,8 @@ module ehlwave_complex_linearised_contact
 #include "contact_cycle.inc"
 
 #include "near_factors.inc"
+
+#include "contact_transposed.inc"
 
    !> Deformation under a change of pressure, real then imaginary part. A field without imaginary part (w = 0) costs
    !> a single convolution, any other two.

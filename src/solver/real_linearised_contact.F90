@@ -13,9 +13,11 @@ module ehlwave_real_linearised_contact
    use ehlwave_real_gmres, only: linear_system_t
    use ehlwave_real_ilu, only: ilu_t, new_ilu
    use ehlwave_real_near_rows, only: near_rows
-   use ehlwave_real_transfer, only: inject, prolong, restrict
+   use ehlwave_real_transfer, only: inject, prolong, prolong_transposed, restrict, &
+      restrict_transposed
    use ehlwave_real_wedge, only: wedge_t
    use ehlwave_reynolds, only: reynolds_change
+   use ehlwave_reynolds_transposed, only: reynolds_transposed
    use ehlwave_reynolds_links, only: flow_links, poiseuille_links
    use ehlwave_threads, only: is_shared, row_block, team_size, thread_number
    use ehlwave_transport, only: implicit_part, transport_t
@@ -31,6 +33,8 @@ module ehlwave_real_linearised_contact
 #include "contact_cycle.inc"
 
 #include "near_factors.inc"
+
+#include "contact_transposed.inc"
 
    !> Let wedge and squeeze be those that the finest level is given, on all levels.
    subroutine set_wedge(self, transport)

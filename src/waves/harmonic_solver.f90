@@ -8,8 +8,8 @@ module ehlwave_harmonic_solver
    use ehlwave_hierarchy, only: level_t, work_of
    use ehlwave_kinds, only: dp, pi
    use ehlwave_load_balance, only: harmonic_inertia
-   use ehlwave_status, only: status_converged, status_not_finite
-   use ehlwave_steady_tangent, only: steady_tangent_t, tangent_change_t
+   use ehlwave_status, only: status_converged, status_not_finite, status_stalled
+   use ehlwave_steady_tangent, only: steady_adjoint_t, steady_tangent_t, tangent_change_t
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
@@ -29,6 +29,7 @@ module ehlwave_harmonic_solver
       procedure :: count_tangent
       procedure :: respond
       procedure :: respond_to
+      procedure :: respond_transposed
    end type harmonic_solver_t
 
 contains
@@ -135,6 +136,41 @@ contains
          call response%take_centre(grid)
       end associate
    end subroutine respond_to
+
+   !> Derivative by the weighted residuals of a sum of weighted changes of the film, with the operator of the last
+   !> pattern.
+   subroutine respond_transposed(self, levels, h_weight, vector, status)
+      class(harmonic_solver_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: levels(:)   !! levels of `init`
+      real(dp), intent(in) :: h_weight(0:, 0:)
+      complex(dp), allocatable, intent(out) :: vector(:)
+      integer, intent(out) :: status                      !! converged, stalled or not finite
+      complex(dp), allocatable :: c(:), none(:, :)
+      type(steady_adjoint_t) :: adjoint
+
+      status = status_stalled
+      if (self%is_real) then
+         call self%tangent%solve_transposed(levels, 0*h_weight, h_weight, self%tolerance, adjoint)
+         vector = adjoint%vector
+         status = adjoint%status
+         return
+      end if
+      associate (linear => self%linear)
+         allocate (c(linear%n), vector(linear%n))
+         allocate (none(size(h_weight, 1), size(h_weight, 2)), source=(0.0_dp, 0.0_dp))
+         call linear%borrow(levels)
+         call linear%state_weights(none, none + h_weight, c)
+         linear%is_transposed = .true.
+         call self%gmres%solve(linear, c, vector, self%tolerance)
+         linear%is_transposed = .false.
+         call linear%release()
+         if (self%gmres%steps == 0) then
+            status = status_not_finite
+         else if (self%gmres%reduction <= self%tolerance) then
+            status = status_converged
+         end if
+      end associate
+   end subroutine respond_transposed
 
    !> Response of a real right side that does not turn.
    subroutine respond_really(self, levels, b, response)

@@ -3,7 +3,7 @@ module ehlwave_steady_tangent
    use ehlwave_assertions, only: assert, checks
    use ehlwave_cycle_settings, only: diagonal_shift, newton_cycle
    use ehlwave_given, only: given_t, steady_given
-   use ehlwave_hierarchy, only: level_t
+   use ehlwave_hierarchy, only: level_t, work_of
    use ehlwave_kinds, only: dp
    use ehlwave_real_gmres, only: gmres_t
    use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
@@ -20,6 +20,14 @@ module ehlwave_steady_tangent
       real(dp) :: reduction = 0            !! reduction of the linear residual
    end type tangent_change_t
 
+   !> Solution of the transposed system: the derivative of a result by the weighted residuals.
+   type, public :: steady_adjoint_t
+      real(dp), allocatable :: vector(:)   !! (linear%n)
+      integer :: status = status_stalled   !! converged, stalled or not finite
+      integer :: linear_steps = 0          !! GMRES steps
+      real(dp) :: work = 0                 !! operations of its solve
+   end type steady_adjoint_t
+
    !> The linear system about a steady state, whose factors serve several right sides.
    type, public :: steady_tangent_t
       type(linearised_contact_t) :: linear
@@ -31,6 +39,7 @@ module ehlwave_steady_tangent
       procedure :: init
       procedure :: stand
       procedure :: solve
+      procedure :: solve_transposed
    end type steady_tangent_t
 
 contains
@@ -75,29 +84,13 @@ contains
       logical, intent(in), optional :: in_single          !! products, whose convolutions are good to 1e-7 then
       real(dp), allocatable, target :: x(:)
       real(dp), pointer, contiguous :: q(:, :)
-      integer :: rung
 
       if (checks) call assert(size(b) == self%linear%n .and. tolerance > 0, 'tangent%solve: a right side of its system')
       associate (linear => self%linear, grid => levels(size(levels))%problem%grid)
          allocate (x(linear%n))
          call linear%borrow(levels, in_single)
-         do rung = 1, size(diagonal_shift)
-            if (rung == 1 .and. self%is_factorised) then
-               call linear%count_factors()
-            else
-               call linear%factorise(rung)
-               self%is_factorised = rung == 1
-            end if
-            call self%gmres%solve(linear, b, x, tolerance)
-            change%linear_steps = change%linear_steps + self%gmres%steps
-            if (self%gmres%steps > 0 .and. self%gmres%reduction <= tolerance) exit
-         end do
+         call find(self, b, tolerance, x, change%status, change%linear_steps)
          change%reduction = self%gmres%reduction
-         if (self%gmres%steps == 0) then
-            change%status = status_not_finite
-         else if (self%gmres%reduction <= tolerance) then
-            change%status = status_converged
-         end if
          change%state = new_state(grid)
          q(0:grid%nx, 0:grid%ny) => x(:linear%n - 1)
          change%state%p = q
@@ -106,5 +99,58 @@ contains
          call linear%release()
       end associate
    end subroutine solve
+
+   !> Derivative by the weighted residuals of a result whose derivatives by P and H at the nodes are given.
+   subroutine solve_transposed(self, levels, q_weight, h_weight, tolerance, adjoint)
+      class(steady_tangent_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: levels(:)          !! levels of `init`: their deformation is used
+      real(dp), intent(in) :: q_weight(0:, 0:), h_weight(0:, 0:)
+      real(dp), intent(in) :: tolerance                          !! tolerance of the linear residual
+      type(steady_adjoint_t), intent(out) :: adjoint
+      real(dp), allocatable :: c(:)
+
+      adjoint%work = -work_of(levels)
+      associate (linear => self%linear)
+         allocate (c(linear%n), adjoint%vector(linear%n))
+         call linear%borrow(levels)
+         call linear%state_weights(q_weight, h_weight, c)
+         linear%is_transposed = .true.
+         call find(self, c, tolerance, adjoint%vector, adjoint%status, adjoint%linear_steps)
+         linear%is_transposed = .false.
+         call linear%release()
+      end associate
+      adjoint%work = adjoint%work + work_of(levels)
+   end subroutine solve_transposed
+
+   !> Solve the system or, as it is set, the transposed system, with a shifted diagonal if needed.
+   subroutine find(self, b, tolerance, x, status, steps)
+      type(steady_tangent_t), intent(inout) :: self
+      real(dp), intent(in), contiguous :: b(:)
+      real(dp), intent(in) :: tolerance
+      real(dp), intent(out), contiguous :: x(:)
+      integer, intent(out) :: status, steps
+      integer :: rung
+
+      status = status_stalled
+      steps = 0
+      associate (linear => self%linear, gmres => self%gmres)
+         do rung = 1, size(diagonal_shift)
+            if (rung == 1 .and. self%is_factorised) then
+               call linear%count_factors()
+            else
+               call linear%factorise(rung)
+               self%is_factorised = rung == 1
+            end if
+            call gmres%solve(linear, b, x, tolerance)
+            steps = steps + gmres%steps
+            if (gmres%steps > 0 .and. gmres%reduction <= tolerance) exit
+         end do
+         if (gmres%steps == 0) then
+            status = status_not_finite
+         else if (gmres%reduction <= tolerance) then
+            status = status_converged
+         end if
+      end associate
+   end subroutine find
 
 end module ehlwave_steady_tangent

@@ -26,8 +26,6 @@ BY_PROGRAMS = ("README.md", "postprocess/manual/case.md")
 """Pages with sentences that are compared with the programs."""
 DIGITS = 4
 """Digits of results that hold for any compiler."""
-GENERATED = {"inputs/README.md": "## `&conditions`"}
-"""Where a reference begins that system/test_sweep_keys compares with the output of the program."""
 
 UNIT = r"(?: ?(?:a|b|um|nm|mm|m/s|MPa|GPa|Pa|K|N/m|1/Pa|hX|Hc|%|of the film))?"
 SYMBOL = (r"(?:(?:gamma )?M|L|D|S|E'|alpha E'|alpha|alphabar|z|n|G|K0'?|f\(r\)|f V|tau0|tau0/E'|X|Y|Z|T|U|dT|hX|hY|B|N|p|P|y|kappa|Omega|"
@@ -57,7 +55,7 @@ def also_compared():
     """Sentences by page, with their values, that `test_readme_numbers` has not."""
     formula = (ROOT/"postprocess/src/ehlwave/contact/formula.py").read_text(encoding="utf-8")
     constants = [float(re.search(rf"^PAPER_{name} = ([\d.]+)$", formula, re.MULTILINE)[1]) for name in ("C1", "C2")]
-    default = re.search(r"^\| `amplitude_over_film` \| `([\d.]+)`", (ROOT/"inputs/README.md").read_text(encoding="utf-8"), re.MULTILINE)[1]
+    default = re.search(r"^\| `amplitude_over_film` \| `([\d.]+)`", (ROOT/"inputs/keys/waviness.md").read_text(encoding="utf-8"), re.MULTILINE)[1]
     return {
         "README.md": [("1/(1 + {} f V + {} (f V)^2)", constants), ("with an amplitude of {} %", [100*float(default)]),
                       ("| c1 = {}, c2 = {} |", constants)],
@@ -65,12 +63,8 @@ def also_compared():
 
 
 def prose(page):
-    """A page as a single line, without run and generated parts."""
+    """A page as a single line, without run parts."""
     text = (ROOT/page).read_text(encoding="utf-8")
-    if page in GENERATED:
-        head, mark, _ = text.partition(GENERATED[page])
-        assert mark, f"{page} has no {GENERATED[page]}"
-        text = head
     text = "\n".join(line for line in text.splitlines() if not re.match(r"    \S| {8}", line))
     return re.sub(r"\s+", " ", text)
 

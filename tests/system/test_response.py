@@ -92,7 +92,7 @@ class Response(TestCase):
         self.assertEqual(both["cells_x"], transient["cells_x"])
         for plan in plans.values():
             self.assertTrue(0.005 < plan["expected_error"] <= 0.02)
-        cells = both["time_step"]*both["cells_x"]/4
+        cells = both["time_step"]*both["cells_x"]/(both["domain_x_max"] - both["domain_x_min"])
         self.assertIn(round(cells, 9), (1, 2, 4))
         self.assertLess(harmonic["expected_work_units"], 0.05*both["expected_work_units"])
 

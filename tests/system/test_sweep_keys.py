@@ -2,6 +2,7 @@
 
 import copy
 import math
+import re
 import unittest
 from pathlib import Path
 
@@ -168,11 +169,15 @@ class SweepKeys(FolderTest):
 
 
 class Reference(unittest.TestCase):
-    def test_readme_has_what_the_program_prints(self):
+    def test_pages_have_what_the_program_prints(self):
         printed = run("sweep", "--keys", "--markdown").stdout
-        readme = Path(__file__).resolve().parents[2].joinpath("inputs", "README.md").read_text()
-        begin = readme.index("## `&conditions`")
-        self.assertEqual(readme[begin:], printed, "inputs/README.md: put the output of ehlwave-sweep --keys --markdown at its end")
+        inputs = Path(__file__).resolve().parents[2]/"inputs"
+        groups = re.findall(r"^## `&(\w+)`$", printed, re.MULTILINE)
+        pages = "\n".join("#" + (inputs/"keys"/f"{group}.md").read_text() for group in groups)
+        self.assertEqual(pages, printed, "inputs/keys: write its pages by python -m studies.typed_keys in postprocess")
+        self.assertEqual({page.stem for page in (inputs/"keys").glob("*.md")}, set(groups))
+        index = (inputs/"README.md").read_text()
+        self.assertEqual([group for group in groups if f"(keys/{group}.md)" not in index], [], "inputs/README.md lists all groups")
 
     def test_text(self):
         case = run("case", "--keys")

@@ -76,6 +76,24 @@ class RoughPair(TestCase):
         report(f"Ad/Ai {abs(march(state)):.5f} and {abs(march(state, '_2')):.5f}, march from rest {abs(march(settled)):.5f} "
                f"and {abs(march(settled, '_2')):.5f}; rise over that to second order {rise/expected:.3f}")
 
+    def test_overtones_of_the_larger_waves(self):
+        """Half the wavelength and a small part of the height: what has their frequency is an overtone. Other wavelengths are fitted beside it."""
+        groups = {"m": 100, "d": 1, "grid": GRID, "solver": BY_MODEL}
+        for height, small in ((0.3, 0.02), (0.1, 1e-6)):
+            pair = solve(**groups, waviness=wave(1, height), waviness2=wave(0.5, small, None))
+            self.assertIsNone(pair["amplitude_ratio_fit_2"])
+            self.assertIn("no Ad/Ai of surface 2: overtones", pair["warning"])
+            self.check_close(pair["amplitude_ratio_fit"], solve(**groups, waviness=wave(1, height))["amplitude_ratio_fit"], 0.01, "larger waves")
+        alike = solve(**groups, waviness=wave(1, 0.05, "both"), waviness2=wave(0.5, 0.05, None))
+        off = abs(alike["amplitude_ratio_fit_2"]/alike["harmonic_ratio_2"] - 1)
+        report(f"equal heights: off by {off:.2%}, declared {alike['ratio_error_amplitude']:.2%}")
+        self.assertLess(off, 0.02)
+        self.assertGreaterEqual(alike["ratio_error_amplitude"], off)
+        apart = solve(**groups, waviness=wave(1, 0.3, "both"), waviness2=wave(0.6, 0.02, None))
+        off = abs(apart["amplitude_ratio_fit_2"]/apart["harmonic_ratio_2"] - 1)
+        report(f"0.02 of 0.6 a beside 0.3: off by {off:.2%}")
+        self.assertLess(off, 0.05)
+
     def test_the_error_is_that_of_the_worse_surface(self):
         """Short waves on either surface: equivalent inputs give the same result."""
         found = []

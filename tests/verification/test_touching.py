@@ -145,6 +145,14 @@ class Marches(FolderTest):
         self.assertFalse(found["touching_is_artefact"])
         self.assertEqual(found["solid_friction_coefficient"], 0)
 
+    def test_report(self):
+        """The printed report names neither another oil nor a range of small waves, which touching surfaces do not have."""
+        (self.folder/"case.nml").write_text(namelist(groups_of(96, 0.03, 0.5, waviness=WAVE)))
+        printed = run("case", "case.nml", folder=self.folder).stdout
+        self.assertIn("Touching ", printed)
+        self.assertRegex(printed, r"(?m)^Friction     coefficient [-\d.]+$")
+        self.assertNotIn("respond", printed)
+
     def test_artefact(self):
         """A share that falls with the mesh size is flagged."""
         found = contact(192, 0.1, 1, None, WAVE | {"amplitude_m": 0.1e-6})

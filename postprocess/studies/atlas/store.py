@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 
 from ehlwave.laws.atlas.committee import Committee
-from ehlwave.laws.atlas.stored import AS_STORED, checksum
+from ehlwave.laws.atlas.stored import checksum, read_packed
 from ehlwave.writing import Writer
 
 PARTS = {
@@ -41,8 +41,7 @@ def write_atlas(data: xr.Dataset, path: Path) -> None:
     written = xr.Dataset({name: _packed(data[name]) for name in data}, attrs=data.attrs)
     for _ in range(2):  # the checksum covers the numbers as stored
         data = bytes(written.to_netcdf(engine="scipy", format="NETCDF3_CLASSIC"))
-        with xr.open_dataset(io.BytesIO(data), engine="scipy", **AS_STORED) as opened:
-            written.attrs["checksum"] = checksum(opened.load())
+        written.attrs["checksum"] = checksum(*read_packed(io.BytesIO(data)))
     Writer().data(path, data)
 
 

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import brentq
 
 ROELANDS_PA = 1.96e8
 DENSITY_PA, DENSITY_LIMIT = 5.9e8, 1.34
@@ -65,7 +65,7 @@ class Oil:
             return float(log_stress + power * np.logaddexp(0, 2 * log_stress) - log_b)
 
         least = min(log_b, log_b / (2 * power + 1)) - power * float(np.log(2))
-        stress = np.exp(brentq(excess, least - 1e-9, log_b + 1e-9, xtol=1e-14))
+        stress = np.exp(scipy.optimize.brentq(excess, least - 1e-9, log_b + 1e-9, xtol=1e-14))
         across = float(b / stress)
         return float(across * (1 + 2 * power * stress**2 / (1 + stress**2))), across
 

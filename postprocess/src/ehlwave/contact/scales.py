@@ -9,8 +9,8 @@ import math
 from typing import TypeVar
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 from scipy.special import ellipk, elliprd
 
 from ehlwave.contact.line_contact import line_film, moes_per_line_film
@@ -37,7 +37,7 @@ def ellipticity(d: float) -> float:
     def excess(kappa: float) -> float:
         return radius_ratio(kappa) - d
 
-    return float(brentq(excess, 1e-3, 1.0, xtol=1e-15, rtol=1e-14))
+    return float(scipy.optimize.brentq(excess, 1e-3, 1.0, xtol=1e-15, rtol=1e-14))
 
 
 def radius_ratio(kappa: float) -> float:

@@ -7,7 +7,7 @@ ASTM D341-09 (Walther's equation with MacCoull's terms), ISO 3448 (grades) and A
 import math
 from dataclasses import dataclass
 
-from scipy.optimize import brentq
+import scipy
 
 from ehlwave.errors import SurfaceError, see
 
@@ -60,7 +60,11 @@ def _unwalther(ordinate: float) -> float:
     D341 gives a fit of the inverse; its first terms are where the root is sought.
     """
     z = 10 ** (10**ordinate)
-    return float(brentq(lambda v: _walther(v) - ordinate, max(z - 1.2, THINNEST), z, xtol=1e-13))
+    return float(
+        scipy.optimize.brentq(
+            lambda v: _walther(v) - ordinate, max(z - 1.2, THINNEST), z, xtol=1e-13
+        )
+    )
 
 
 @dataclass(frozen=True)
@@ -139,4 +143,6 @@ def hot_viscosity(cold: float, index: float) -> float:
             f"mm2/s or more at 100 C) has both; mineral oils have 95; or give "
             f"viscosity_100c_mm2_per_s{see('oil')}"
         )
-    return float(brentq(lambda hot: viscosity_index(cold, hot) - index, low, high, xtol=1e-12))
+    return float(
+        scipy.optimize.brentq(lambda hot: viscosity_index(cold, hot) - index, low, high, xtol=1e-12)
+    )

@@ -6,8 +6,8 @@ import math
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import CubicSpline
 
 from ehlwave.errors import SurfaceError
 
@@ -39,7 +39,7 @@ def periodic(angle_deg: ArrayLike, lift_m: ArrayLike, name: str) -> Any:  # noqa
     if angle[-1] - angle[0] < 360 * (1 - 1e-9):
         angle, lift = np.append(angle, angle[0] + 360), np.append(lift, lift[0])
     lift[-1] = lift[0]
-    return CubicSpline(np.radians(angle), lift, bc_type="periodic")
+    return scipy.interpolate.CubicSpline(np.radians(angle), lift, bc_type="periodic")
 
 
 class CamMotion:

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+import scipy
 import xarray as xr
 from numpy.typing import NDArray
-from scipy.integrate import trapezoid
 
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.data_sheet import Oil
@@ -254,4 +254,6 @@ class GearPair:
         friction = found["friction"].values if "friction" in found else np.full(s.size, np.nan)
         sliding = np.interp(fine, s, friction) * load * np.abs(first - second)
         rolling = np.interp(fine, s, found["rolling_resistance_n"].values) * (first + second)
-        return float(trapezoid(sliding, fine) / pitch), float(trapezoid(rolling, fine) / pitch)
+        return float(scipy.integrate.trapezoid(sliding, fine) / pitch), float(
+            scipy.integrate.trapezoid(rolling, fine) / pitch
+        )

@@ -19,8 +19,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import brentq
 
 from ehlwave.errors import SurfaceError
 
@@ -107,7 +107,9 @@ class InvolutePair:
             raise SurfaceError(
                 f"profile_shift = {self.profile_shift}: the flanks do not meet: raise the sum"
             )
-        return float(brentq(lambda x: involute(x) - wanted, 1e-6, 1.4, xtol=1e-16, rtol=1e-15))
+        return float(
+            scipy.optimize.brentq(lambda x: involute(x) - wanted, 1e-6, 1.4, xtol=1e-16, rtol=1e-15)
+        )
 
     @property
     def working_distance_m(self) -> float:

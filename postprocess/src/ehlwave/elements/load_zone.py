@@ -10,8 +10,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import brentq, root
 
 from ehlwave.errors import SurfaceError
 
@@ -65,7 +65,9 @@ class LoadZone:
         if press[-1] > 0:
             return 180.0
         last = int(np.flatnonzero(press > 0)[-1])
-        end = brentq(lambda x: float(self.press(np.array([x]))[0][0]), turn[last], turn[last + 1])
+        end = scipy.optimize.brentq(
+            lambda x: float(self.press(np.array([x]))[0][0]), turn[last], turn[last + 1]
+        )
         return float(np.degrees(end))
 
 
@@ -92,7 +94,9 @@ def radial_zone(
     if clearance_m < 0:
         low = 0.0
         high = max(high, alone)
-    found = float(brentq(lambda x: force(x) - radial_load_n, low, high, xtol=1e-22, rtol=1e-15))
+    found = float(
+        scipy.optimize.brentq(lambda x: force(x) - radial_load_n, low, high, xtol=1e-22, rtol=1e-15)
+    )
 
     def press(turn: Floats) -> tuple[Floats, Floats]:
         return found * np.cos(turn) - clearance_m / 2, np.zeros_like(turn)
@@ -177,7 +181,7 @@ def combined_zone(
     unknown = 3 if is_free_to_tilt else 2
     for share in (1.0, 3.0, 0.3, 10.0, 30.0):
         first = np.array([share * radial_n / scale, 3 * share * axial_n / scale, 0.0])[:unknown]
-        done = root(excess, first, method="hybr", tol=1e-14)
+        done = scipy.optimize.root(excess, first, method="hybr", tol=1e-14)
         if np.abs(excess(done.x)).max() < BALANCED:
             moved = np.zeros(3)
             moved[:unknown] = done.x * length
@@ -232,7 +236,7 @@ def tapered_zone(
 
     for share in (1.0, 0.3, 3.0, 10.0):
         start = np.array([share * 3 * radial_n / max(loads_n), share / sine])
-        done = root(excess, start, method="hybr", tol=1e-14)
+        done = scipy.optimize.root(excess, start, method="hybr", tol=1e-14)
         if np.abs(excess(done.x)).max() < BALANCED:
             moved = done.x * length
             tilted = np.radians(axis_angle_deg)

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline, RectBivariateSpline
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.formula import recommended_ratio
@@ -194,7 +194,7 @@ class AtlasTransfer:
                 self._lookups[key] = _between(logs, angles, parts)
             else:
                 fine = np.linspace(logs[0], logs[-1], REFINED * (WAVES - 1) + 1)
-                curves = [CubicSpline(logs, part[:, 0])(fine) for part in parts]
+                curves = [scipy.interpolate.CubicSpline(logs, part[:, 0])(fine) for part in parts]
                 self._lookups[key] = lambda log, _: np.stack(
                     [np.interp(log, fine, curve) for curve in curves]
                 )
@@ -204,7 +204,9 @@ class AtlasTransfer:
 def _between(logs: Waves, angles: Waves, parts: list[Waves]) -> Callable[[Waves, Waves], Waves]:
     """Return interpolation in tables over ln wavelength (rows) and angle, both evenly spaced."""
     rows, columns = (np.linspace(a[0], a[-1], REFINED * (a.size - 1) + 1) for a in (logs, angles))
-    tables = [RectBivariateSpline(logs, angles, part)(rows, columns) for part in parts]
+    tables = [
+        scipy.interpolate.RectBivariateSpline(logs, angles, part)(rows, columns) for part in parts
+    ]
     corners = np.stack(tables, axis=-1).reshape(-1, len(parts))
 
     def interpolate(log: Waves, angle: Waves) -> Waves:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+import scipy
 
 from ehlwave.laws.transfer import Waves
 
@@ -54,7 +54,7 @@ def _over_angles(tables: dict[float, Waves]) -> Callable[[Waves], Waves]:
     """Return interpolation over angles of tables: splines of films, straight lines of errors."""
     angles = np.array(sorted(tables))
     values = np.stack([tables[angle] for angle in angles])
-    spline = CubicSpline(angles, values[:, :2], bc_type="clamped")
+    spline = scipy.interpolate.CubicSpline(angles, values[:, :2], bc_type="clamped")
 
     def at(angle: Waves) -> Waves:
         k = np.clip(np.searchsorted(angles, angle) - 1, 0, angles.size - 2)

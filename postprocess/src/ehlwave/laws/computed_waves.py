@@ -8,8 +8,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from ehlwave.errors import ProgramError
 from ehlwave.laws.atlas_transfer import SHORT_WAVE_POWER
@@ -67,12 +67,14 @@ class Responses:
     def at(self, log: Waves) -> tuple[Complex, Complex, Waves, Waves]:
         """Return film, pressure, error and rise at ln wavelengths; ends are held outside."""
         inside = np.clip(log, self.log[0], self.log[-1])
-        film = self.base(np.exp(inside)) + CubicSpline(self.log, self.film - self._base)(inside)
+        film = self.base(np.exp(inside)) + scipy.interpolate.CubicSpline(
+            self.log, self.film - self._base
+        )(inside)
         interval = np.clip(np.searchsorted(self.log, inside) - 1, 0, self.between.size - 1)
         error = np.interp(inside, self.log, self.error) + self.between[interval]
         pressure = np.full(inside.shape, complex(np.nan, np.nan))
         if np.all(np.isfinite(self.pressure)):  # marches do not have it
-            pressure = CubicSpline(self.log, self.pressure)(inside)
+            pressure = scipy.interpolate.CubicSpline(self.log, self.pressure)(inside)
         return film, pressure, error, np.interp(inside, self.log, self.rise)
 
     @property
@@ -189,7 +191,7 @@ def _between(log: Waves, rows: Sequence[Result], base: Base, at: Waves) -> Compl
     good = np.isfinite(film)
     if good.sum() < 4:
         return np.full(at.shape, np.nan, complex)
-    return np.asarray(base(np.exp(at)) + CubicSpline(log[good], film[good])(at))
+    return np.asarray(base(np.exp(at)) + scipy.interpolate.CubicSpline(log[good], film[good])(at))
 
 
 def _merged(

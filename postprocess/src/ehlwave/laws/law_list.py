@@ -18,14 +18,11 @@ from ehlwave.laws.answers import Film
 from ehlwave.laws.asked import Asked
 from ehlwave.laws.atlas.ranges import SLIDING_RANGES
 from ehlwave.laws.atlas_transfer import AtlasTransfer
-from ehlwave.laws.computed_film import computed_film
-from ehlwave.laws.computed_transfer import ComputedTransfer
 from ehlwave.laws.film_answer import film_of, with_film
 from ehlwave.laws.notices import notices_of
 from ehlwave.laws.sheared_ridges import ShearedRidges
 from ehlwave.laws.standing_waves import StandingRidges
 from ehlwave.laws.starved_transfer import StarvedTransfer
-from ehlwave.laws.table import TableTransfer
 from ehlwave.laws.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.laws.two_wave_transfer import TwoWaveTransfer
 from ehlwave.laws.warm_waves import BEYOND, MORE_ERROR, NEWTONIAN, WarmTransfer, thinner, warmth_of
@@ -51,6 +48,8 @@ class Law:
 def _table(asked: Asked) -> Transfer:
     if asked.table is None:
         raise RangeError("there is no harmonic table: give table=, the name of its file")
+    from ehlwave.laws.table import TableTransfer
+
     return TableTransfer(asked.conditions, asked.table.rows, asked.table.name)
 
 
@@ -103,6 +102,8 @@ def _warm_computed(asked: Asked) -> Transfer:
 
 
 def _computed(asked: Asked) -> Transfer:
+    from ehlwave.laws.computed_transfer import ComputedTransfer
+
     return ComputedTransfer(asked.conditions, asked.heat)
 
 
@@ -272,13 +273,14 @@ def film_for(asked: Asked, by: str | None = None) -> Film:
 
 
 def _film(asked: Asked, by: str | None) -> Film:
-    if by == "computed":
-        return computed_film(asked.conditions, asked.heat)
-    try:
-        return film_of(asked.conditions, asked.chart, asked.heat, asked.eyring_stress_pa)
-    except RangeError as error:
-        if by == "laws":
-            raise
-        if not has_programs():
-            raise RangeError(f"{error}.{_to_compute(asked)}") from error
+    if by != "computed":
+        try:
+            return film_of(asked.conditions, asked.chart, asked.heat, asked.eyring_stress_pa)
+        except RangeError as error:
+            if by == "laws":
+                raise
+            if not has_programs():
+                raise RangeError(f"{error}.{_to_compute(asked)}") from error
+    from ehlwave.laws.computed_film import computed_film
+
     return computed_film(asked.conditions, asked.heat)

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import pandas as pd
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.integrate import quad
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.formula import power_ratio
@@ -110,7 +110,10 @@ def fluidity_integral(oil: Oil, hertz_pa: float) -> float:
         return float(np.exp(-log_eta) / density(p) ** 2)
 
     end = min(np.pi / 2, 200 / max(oil.pressure_viscosity_per_pa * hertz_pa, 1e-9))
-    ends, middle = quad(integrand, 0, end)[0], quad(integrand, end, np.pi / 2)[0]
+    ends, middle = (
+        scipy.integrate.quad(integrand, 0, end)[0],
+        scipy.integrate.quad(integrand, end, np.pi / 2)[0],
+    )
     return float(2 * (ends + middle))
 
 

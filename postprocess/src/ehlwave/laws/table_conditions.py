@@ -2,8 +2,8 @@
 
 import numpy as np
 import pandas as pd
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import Delaunay
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.errors import SurfaceError
@@ -63,7 +63,7 @@ def _barycentric(points: Floats, target: Floats) -> list[tuple[int, float]] | No
         low, high = int(order[index - 1]), int(order[index])
         share = float((place[0] - flat[low, 0]) / (flat[high, 0] - flat[low, 0]))
         return [(low, 1 - share), (high, share)]
-    mesh = Delaunay(flat)
+    mesh = scipy.spatial.Delaunay(flat)
     simplex = int(mesh.find_simplex(place))
     if simplex < 0:
         return None

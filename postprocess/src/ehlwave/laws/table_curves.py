@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 import pandas as pd
+import scipy
 from numpy.typing import NDArray
-from scipy.interpolate import PchipInterpolator
 
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.formula import amplitude_ratio_formula
@@ -90,8 +90,8 @@ class RiseCurve(Curve):
 
 
 def _monotone(log_v: Waves, transfer: Complex, at: Waves) -> Complex:
-    real = PchipInterpolator(log_v, transfer.real)(at)
-    return np.asarray(real + 1j * PchipInterpolator(log_v, transfer.imag)(at))
+    real = scipy.interpolate.PchipInterpolator(log_v, transfer.real)(at)
+    return np.asarray(real + 1j * scipy.interpolate.PchipInterpolator(log_v, transfer.imag)(at))
 
 
 def _between(log_v: Waves, transfer: Complex) -> Waves:

@@ -16,22 +16,20 @@ from ehlwave.laws.film_answer import with_film
 from ehlwave.laws.notices import warn
 from ehlwave.laws.transfer import Transfer
 from ehlwave.operating_point.wavy import WavyContact
-from ehlwave.surface.film_profile import second_conditions
-from ehlwave.surface.pair import DeformedPair
-from ehlwave.surface.predict import Cutoffs, Deformed, deform_surface
-from ehlwave.surface.prepare import Form, Window
-from ehlwave.surface.raw_surface import SurfaceSource
-from ehlwave.surface.read import ReadOptions, read_surface
-from ehlwave.surface.surface import Surface
 
 if TYPE_CHECKING:
     import pandas as pd
 
     from ehlwave.stress.rough import RoughStress
+    from ehlwave.surface.pair import DeformedPair
+    from ehlwave.surface.predict import Cutoffs, Deformed
+    from ehlwave.surface.prepare import Form, Window
+    from ehlwave.surface.raw_surface import SurfaceSource
+    from ehlwave.surface.surface import Surface
 
 
 class Contact(WavyContact):
-    """A lubricated contact of smooth bodieswith a rough or wavy surface.
+    """A lubricated contact of smooth bodies with a rough or wavy surface.
 
     Parameters
     ----------
@@ -211,6 +209,8 @@ class Contact(WavyContact):
         >>> print(f"lambda ratio {pair.statistics.lambda_ratio_after:.0f}")
         lambda ratio 29
         """
+        from ehlwave.surface.pair import DeformedPair
+
         other = self.exchanged()
         found = DeformedPair(self._deformed(surface, **options), other._deformed(second, **options))
         warn(found.doubts)
@@ -297,6 +297,8 @@ class Contact(WavyContact):
         ...     slip_parameter=1.1).exchanged()
         Contact(M=100, L=10, D=1, S=0.9)
         """
+        from ehlwave.surface.film_profile import second_conditions
+
         other = copy(self)
         other._given = second_conditions(self._given)
         other._heat = None if self.heat is None else self.heat.exchanged()
@@ -316,6 +318,9 @@ class Contact(WavyContact):
         **reading: Any,  # noqa: ANN401
     ) -> Deformed:
         """Return the result of :meth:`deform`, without warnings."""
+        from ehlwave.surface.predict import deform_surface
+        from ehlwave.surface.read import ReadOptions, read_surface
+
         if not math.isfinite(self._given.semi_axis_a_m):
             raise SurfaceError(
                 "Contact: a surface in metres needs semi_axis_a_m and radius_x_m besides M, L and D"

@@ -23,7 +23,6 @@ from ehlwave.laws.film_answer import with_film
 from ehlwave.laws.heated_contact import check_heat
 from ehlwave.laws.law_list import film_for, transfer_for
 from ehlwave.laws.notices import warn
-from ehlwave.laws.table import HarmonicTable, harmonic_table_of
 from ehlwave.laws.transfer import Transfer
 from ehlwave.quantities import number
 from ehlwave.shown import html_table, within
@@ -33,6 +32,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
 
     from ehlwave.inputs.keys import ContactKeys
+    from ehlwave.laws.table import HarmonicTable
     from ehlwave.stress.loads import PoissonRatio
 
 
@@ -55,7 +55,7 @@ class SmoothContact:
         self._eyring_stress_pa = None if stress is None else number(stress, "eyring_stress_pa")
         self._poisson_ratio: PoissonRatio | None = None
         self._heat = heat
-        self._table = None if table is None else harmonic_table_of(table)
+        self._table = None if table is None else _harmonic_table(table)
         self._questions: dict[float | None, Asked] = {}
         self._transfers: dict[tuple[float | None, str | None], Transfer] = {}
         if heat is not None:
@@ -310,3 +310,9 @@ class SmoothContact:
         found = self._film(by)
         warn(found.warnings)
         return found
+
+
+def _harmonic_table(table: str | Path | pd.DataFrame | HarmonicTable) -> HarmonicTable:
+    from ehlwave.laws.table import harmonic_table_of
+
+    return harmonic_table_of(table)

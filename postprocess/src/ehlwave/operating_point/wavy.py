@@ -9,7 +9,6 @@ from ehlwave.errors import RangeError
 from ehlwave.inputs.slip import slip_given
 from ehlwave.laws.answers import Response
 from ehlwave.laws.response_answer import response_of
-from ehlwave.laws.responses import response_table, responses_figure
 from ehlwave.operating_point.smooth import SmoothContact
 from ehlwave.quantities import number
 
@@ -121,6 +120,8 @@ class WavyContact(SmoothContact):
         >>> found["is_inside"].values.all(axis=1).tolist()
         [True, True, False]
         """
+        from ehlwave.laws.responses import response_table
+
         waves, angles = wavelength_over_a, angle_deg
         slip_parameter = slip_given(slip_parameter, slide_to_roll_ratio, "responses")
         return response_table(self.response, self._given, waves, angles, slip_parameter)
@@ -153,5 +154,7 @@ class WavyContact(SmoothContact):
         >>> [axes.get_ylabel() for axes in figure.axes][1]
         'lag of the film [degrees]'
         """
+        from ehlwave.laws.responses import responses_figure
+
         slip_parameter = slip_given(slip_parameter, slide_to_roll_ratio, "plot")
         return responses_figure(self.responses(wavelength_over_a, angle_deg, slip_parameter))

@@ -15,7 +15,6 @@ from ehlwave.programs.cache import digest, store, stored
 from ehlwave.programs.case_input import case_groups, case_text
 from ehlwave.programs.programs import find_program, namelist
 from ehlwave.programs.progress import Following, following, run_following
-from ehlwave.results.read import read_results
 from ehlwave.writing import write_new_text
 
 Keys = Mapping[str, Any]
@@ -140,6 +139,8 @@ def _sweep(
         done = run_following([str(program), str(path)], callback, "stdout")
         if done.returncode not in (0, 1):
             raise ProgramError(f"{program.name}: {_said(done)}")
+        from ehlwave.results.read import read_results
+
         results = read_results(folder / "waves.h5")
         x, y = results["wavelength_x_over_a"].values, results["wavelength_y_over_a"].values
         rows = []

@@ -1,8 +1,8 @@
 """Intervals of the coefficients of eq. (18), by fits to drawn operating conditions."""
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import leastsq
 
 from ehlwave.contact.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula
 from ehlwave.results.fit import MINIMUM_POINTS, NO_INTERVAL, FitError, Interval, has_no_pole
@@ -116,6 +116,8 @@ def _solve(x: Floats, ratio: Floats, weight: Floats) -> Floats | None:
         slope = -weight * amplitude_ratio_formula(x, c[0], c[1]) ** 2
         return np.stack([slope * x, slope * x**2])
 
-    solution, ierr = leastsq(residual, (PAPER_C1, PAPER_C2), Dfun=jacobian, col_deriv=True)
+    solution, ierr = scipy.optimize.leastsq(
+        residual, (PAPER_C1, PAPER_C2), Dfun=jacobian, col_deriv=True
+    )
     good = ierr in (1, 2, 3, 4) and np.isfinite(solution).all() and has_no_pole(x, *solution)
     return solution if good else None

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import scipy
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import CubicSpline
 
 from ehlwave.choices import POISSON_RATIO
 from ehlwave.errors import StressError
@@ -225,7 +225,8 @@ def point_histories(stress: xr.Dataset, slip: float, points_m: ArrayLike) -> xr.
     for name in COMPONENTS:
         values = stress[name].transpose("time", "z", "x").values
         lines = [
-            CubicSpline(x, line, axis=1)(place) for line, place in zip(values, at, strict=True)
+            scipy.interpolate.CubicSpline(x, line, axis=1)(place)
+            for line, place in zip(values, at, strict=True)
         ]
         found[name] = (("time", "z", "point"), np.array(lines), {"units": "Pa"})
     coordinates = {"time": ways, "z": stress["z"].values, "point": points}

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 
 import numpy as np
+import scipy
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
-from scipy import fft
 
 from ehlwave.choices import POISSON_RATIO
 from ehlwave.stress.images import ImageCorrection, coarse_factor
@@ -101,7 +101,7 @@ def stress_planes(load: Load, depths_m: Floats, workers: int = 1) -> Iterator[di
     is_endless = not ends[0], not ends[1]
     factor = tuple(coarse_factor(n) if end else 1 for n, end in zip(load.shape, ends, strict=True))
     periods = tuple(
-        m * fft.next_fast_len(2 * -(-n // m), real=True) if end else n
+        m * scipy.fft.next_fast_len(2 * -(-n // m), real=True) if end else n
         for n, m, end in zip(load.shape, factor, ends, strict=True)
     )
     scales = load.steps_m, load.poisson_ratio
@@ -120,7 +120,7 @@ def stress_line(load: Load, depths_m: Floats, row: int) -> dict[str, Floats]:
 
     The effect of images of such loads is too small to be subtracted.
     """
-    periods = tuple(n if n == 1 else fft.next_fast_len(2 * n, real=True) for n in load.shape)
+    periods = tuple(n if n == 1 else scipy.fft.next_fast_len(2 * n, real=True) for n in load.shape)
     is_endless = load.shape[0] == 1, load.shape[1] == 1
     waves = RepeatedLoad(load.fields, load.steps_m, load.poisson_ratio, periods, is_endless)
     lines = [waves.line_at(float(depth), row) for depth in depths_m]

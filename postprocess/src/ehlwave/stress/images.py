@@ -7,9 +7,9 @@ stress of the images, except the images of the long period.
 """
 
 import numpy as np
+import scipy
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
-from scipy import fft
 
 from ehlwave.stress.spectral import Loads, RepeatedLoad
 
@@ -70,7 +70,7 @@ class ImageCorrection:
         short = tuple(n // m if e else 1 for n, m, e in zip(periods, factor, ends, strict=True))
         times = LONGER[sum(ends)]
         long = tuple(
-            fft.next_fast_len(times * n) if e else 1 for n, e in zip(short, ends, strict=True)
+            scipy.fft.next_fast_len(times * n) if e else 1 for n, e in zip(short, ends, strict=True)
         )
         is_endless = not ends[0], not ends[1]
         # Images of the long period add a remainder that follows from their decay.

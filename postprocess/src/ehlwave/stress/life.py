@@ -7,9 +7,9 @@ have e = 9/8. The factor of the integral is unknown, so only ratios count.
 """
 
 import numpy as np
+import scipy
 import xarray as xr
 from numpy.typing import NDArray
-from scipy.integrate import trapezoid
 
 from ehlwave.errors import StressError
 
@@ -82,4 +82,4 @@ def _integral(
     depths = np.asarray(below["z"].values, dtype=float)
     excess = np.maximum(np.asarray(below.values, dtype=float) - limit_pa, 0) / scale
     means = (excess**stress_power).reshape(depths.size, -1).mean(axis=1)
-    return float(trapezoid(means * depths**-depth_power, depths))
+    return float(scipy.integrate.trapezoid(means * depths**-depth_power, depths))

@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Mapping
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import fft
 
 from ehlwave.stress.waves import COMPONENTS, LOADS, Directions
 
@@ -49,14 +49,14 @@ class RepeatedLoad:
         """Transform the loads."""
         self._shape = next(iter(loads.values())).shape
         self._periods, self._workers, self._nu = periods, workers, poisson_ratio
-        a = 2 * np.pi * fft.fftfreq(periods[0], steps[0])[:, None]
-        b = 2 * np.pi * fft.rfftfreq(periods[1], steps[1])[None, :]
+        a = 2 * np.pi * scipy.fft.fftfreq(periods[0], steps[0])[:, None]
+        b = 2 * np.pi * scipy.fft.rfftfreq(periods[1], steps[1])[None, :]
         self._number = np.hypot(a, b)
         self._directions = _directions(a, b, periods, _mean_squares(poisson_ratio, is_endless))
         smoothing = np.exp(-0.5 * blur**2 * ((a * steps[0]) ** 2 + (b * steps[1]) ** 2))
         self._spectra = {}
         for kind, load in loads.items():
-            spectrum = fft.rfft2(load, s=periods, workers=workers)
+            spectrum = scipy.fft.rfft2(load, s=periods, workers=workers)
             self._spectra[kind] = spectrum if blur == 0 else spectrum * smoothing
 
     def at(self, depth: float) -> dict[str, Floats]:
@@ -68,7 +68,7 @@ class RepeatedLoad:
         last = self._periods[1] // 2
         weight = np.where(np.arange(last + 1) % (self._periods[1] / 2) == 0, 1, 2)
         turn = weight * np.exp(2j * np.pi * row * np.arange(last + 1) / self._periods[1])
-        lines = {name: fft.ifft(waves @ turn).real for name, waves in self._below(depth)}
+        lines = {name: scipy.fft.ifft(waves @ turn).real for name, waves in self._below(depth)}
         count = self._shape[0]
         return {name: line[:count] / self._periods[1] for name, line in lines.items()}
 
@@ -92,8 +92,10 @@ class RepeatedLoad:
 
     def _plane(self, waves: Complex) -> Floats:
         # Rows and columns outside the arrays are left out as early as can be.
-        along = fft.ifft(waves, axis=0, overwrite_x=True, workers=self._workers)
-        part = fft.irfft(along[: self._shape[0]], n=self._periods[1], axis=1, workers=self._workers)
+        along = scipy.fft.ifft(waves, axis=0, overwrite_x=True, workers=self._workers)
+        part = scipy.fft.irfft(
+            along[: self._shape[0]], n=self._periods[1], axis=1, workers=self._workers
+        )
         return part[:, : self._shape[1]]
 
 

@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from ehlwave.errors import SurfaceError
 
@@ -57,7 +57,9 @@ def without_gaps(place: str, height: Heights, gaps: Gaps) -> tuple[Heights, list
     if marks:
         notes = [f"{notes[0]}, and {_described(height, outside)} {gaps.unit}".rstrip()]
     lost = missing | outside
-    nearest = ndimage.distance_transform_edt(lost, return_distances=False, return_indices=True)
+    nearest = scipy.ndimage.distance_transform_edt(
+        lost, return_distances=False, return_indices=True
+    )
     return height[tuple(nearest)], notes
 
 

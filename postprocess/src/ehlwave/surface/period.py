@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+import scipy
 
 from ehlwave.errors import SurfaceError
 from ehlwave.surface.surface import Surface
@@ -54,7 +54,9 @@ def cut_period(surface: Surface, length_m: float, start_m: float | None = None) 
             f"from {(start - fade) * 1e6:g} to {(start + length_m) * 1e6:g} um; it reaches from 0 "
             f"to {total * 1e6:g} um"
         )
-    height_at = CubicSpline(np.arange(points) * surface.step_x_m, surface.height[:, 0])
+    height_at = scipy.interpolate.CubicSpline(
+        np.arange(points) * surface.step_x_m, surface.height[:, 0]
+    )
     count = max(8, round(length_m / surface.step_x_m))
     x = length_m * np.arange(count) / count
     share = np.clip((x - (length_m - fade)) / fade, 0, 1)

@@ -18,7 +18,7 @@ from ehlwave.laws.law_list import transfer_for
 from ehlwave.laws.transfer import FormulaBasis, Transfer
 from ehlwave.quantities import number, plain
 from ehlwave.shown import Shown, micrometres, within
-from ehlwave.surface.prepare import Form, Window, extended, judged_part, remove_form
+from ehlwave.surface.prepare import Form, Window, judged_part, remove_form
 from ehlwave.surface.removal import Band
 from ehlwave.surface.rough_pressure import ripple_of
 from ehlwave.surface.roughness import gaussian_filtered, roughness_parameters
@@ -218,8 +218,7 @@ def deform_surface(
     if working.size > SINGLE_PRECISION_POINTS:
         working = working.astype(np.float32, copy=False)
     shape = flat.height.shape
-    height, spectra, cover, rise = superposed(extended(working, window), flat, conditions, chosen)
-    height = np.ascontiguousarray(height[: shape[0], : shape[1]])
+    height, spectra, cover, rise = superposed(working, flat, conditions, chosen, window)
     part = judged_part((shape[0], shape[1]), window)
     error_m = cover.error_m()
     before_m = math.sqrt(cover.total.before)

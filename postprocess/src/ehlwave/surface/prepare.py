@@ -6,7 +6,7 @@ adds components that the surface does not have. Three ways to deal with that:
 ``mirror``
     The piece is followed by its mirror image, so that the ends match. Nothing of the surface is
     changed; within about one Hertz semi-axis of an end the prediction applies to the mirrored
-    neighbourhood. Four times the memory for a map.
+    neighbourhood.
 ``taper``
     The outer tenth at each end is faded to the mean by a cosine (Tukey window). Results of that
     margin mean nothing and are left out of the statistics.

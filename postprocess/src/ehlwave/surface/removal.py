@@ -12,6 +12,8 @@ Floats = NDArray[np.float64]
 
 DIRECTIONS = ("transverse", "oblique", "longitudinal")
 """Angles between wave vector and rolling: 0 to 30, 30 to 60, 60 to 90 degrees."""
+STEEPER = (math.tan(math.pi / 6), math.tan(math.pi / 3))
+"""Ratio of the waves per metre along y and x at the ends of the first two."""
 OCTAVE = 2.0
 """Longest over shortest wavelength of a band."""
 
@@ -54,18 +56,12 @@ class Bands:
         self, qx: Floats, qy: Floats, before: Floats, after: Floats, rise: Floats | None
     ) -> None:
         """Add a block: waves per metre along x (rows) and y (columns), mean squares, m^2."""
-        q = np.hypot(qx, qy)
-        is_wave = q > 0
-        octave = np.zeros(q.shape, dtype=int)
-        octave[is_wave] = np.floor(np.log2(1 / q[is_wave])).astype(int)
-        angle = np.degrees(np.arctan2(np.abs(qy), np.abs(qx)))
-        turn = np.minimum(angle // 30, 2).astype(int) * np.ones(q.shape, dtype=int)
+        along, across = np.abs(qx), np.abs(qy)
+        octave = -np.frexp(np.hypot(along, across))[1].astype(int)  # 2^octave: shortest wavelength
+        turn = sum((across > limit * along).astype(int) for limit in STEEPER)
         risen = np.zeros_like(before) if rise is None else 2 * rise * before
-        place = len(DIRECTIONS) * (octave - octave.min()) + turn
-        count = int(place.max()) + 1
-        sums = [
-            np.bincount(place[is_wave], part[is_wave], count) for part in (before, after, risen)
-        ]
+        place = (len(DIRECTIONS) * (octave - octave.min()) + turn).ravel()
+        sums = [np.bincount(place, part.ravel()) for part in (before, after, risen)]
         for one in np.flatnonzero(sums[0]):
             key = int(one) // len(DIRECTIONS) + int(octave.min()), int(one) % len(DIRECTIONS)
             self._sums[key] = self._sums.get(key, np.zeros(3)) + [part[one] for part in sums]

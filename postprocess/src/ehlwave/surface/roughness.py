@@ -8,7 +8,7 @@ import math
 from dataclasses import replace
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from ehlwave.errors import SurfaceError
 from ehlwave.surface.surface import Heights, Surface
@@ -105,8 +105,8 @@ def _mean_line(surface: Surface, height: Heights, cutoff_m: float) -> Heights:
         # A cosine transform equals the transform of the surface with its mirror image.
         per_length = np.arange(count) / (2 * count * step)
         share = np.exp(-np.pi * (ALPHA * cutoff_m * per_length) ** 2)
-        spectrum = fft.dct(height, axis=axis)
-        height = fft.idct(spectrum * np.expand_dims(share, 1 - axis), axis=axis)
+        spectrum = scipy.fft.dct(height, axis=axis)
+        height = scipy.fft.idct(spectrum * np.expand_dims(share, 1 - axis), axis=axis)
     return height
 
 

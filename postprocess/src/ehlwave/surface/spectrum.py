@@ -69,7 +69,7 @@ class Unjudged:
     reason: str
     """Why."""
     components: int
-    """How many, a component and its conjugate being one."""
+    """How many; a wave, its conjugate and its images in mirrored ends are one."""
     share_before: float
     share_after: float
     """`share_before`, `share_after`: of the mean square of the surface before and after."""

@@ -1,48 +1,65 @@
 """A surface as the sum of its components: each times its transfer, and their sum."""
 
 import math
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy import fft
 
+from ehlwave.choices import Window
 from ehlwave.contact.conditions import Conditions
 from ehlwave.laws.transfer import Transfer
-from ehlwave.surface.spectrum import Coverage, Spectrum, empty_spectrum
+from ehlwave.surface.prepare import extended
+from ehlwave.surface.spectrum import Coverage, Floats, Spectrum, empty_spectrum
 from ehlwave.surface.surface import Heights, Surface
 
 WORKERS = 2
 """Threads of the Fourier transforms."""
 
+BLOCK = 2**16
+"""Components that are judged at a time."""
+
+
+class _Components(Protocol):
+    """Components of heights, shape (waves along x, waves along y)."""
+
+    qx: Floats
+    qy: Floats
+
+    def mean_squares(self, block: slice) -> Floats:
+        """Return mean squares of rows, m^2."""
+
+    def multiply(self, block: slice, ratio: NDArray[Any]) -> None:
+        """Multiply rows by their transfer."""
+
+    def total(self) -> Heights:
+        """Return the sum of the components: heights, m."""
+
 
 def superposed(
-    height: Heights, surface: Surface, conditions: Conditions, transfer: Transfer
+    height: Heights, surface: Surface, conditions: Conditions, transfer: Transfer, window: Window
 ) -> tuple[Heights, dict[str, Spectrum], Coverage, float | None]:
     """Return the sum of the components times their transfer, and the spectra on the way.
 
     Also the rise of the mean film over the smooth film, for Rq equal to the smooth film, if known.
     """
-    nx, ny = height.shape
-    # The half spectrum is along y but for traces along x.
-    half = 0 if ny == 1 else 1
-    spectrum = fft.rfftn(height, axes=(1 - half, half), workers=WORKERS)
+    is_mirrored = window == "mirror"
+    parts: _Components = (
+        _Cosines(height, surface) if is_mirrored else _Waves(extended(height, window), surface)
+    )
     del height
-    qx = _frequencies(nx, surface.step_x_m, half == 0)
-    qy = _frequencies(ny, surface.step_y_m, half == 1)
-    spectra = {"x": empty_spectrum(qx), "y": empty_spectrum(qy)}
+    spectra = {"x": empty_spectrum(parts.qx), "y": empty_spectrum(parts.qy)}
     cover = Coverage(conditions, transfer)
     mean_square, rise = 0.0, 0.0
-    rows = max(1, 2**16 // spectrum.shape[1])
-    for first in range(0, spectrum.shape[0], rows):
-        block = slice(first, min(first + rows, spectrum.shape[0]))
-        part = spectrum[block]
-        along, across = qx[block, None], qy[None, :]
+    rows = max(1, BLOCK // parts.qy.size)
+    for first in range(0, parts.qx.size, rows):
+        block = slice(first, min(first + rows, parts.qx.size))
+        along, across = parts.qx[block, None], parts.qy[None, :]
         # The transfer is even in qy and depends on the sign of qx.
         ratio = transfer.ratio(along, across)
-        power = part.real.astype(np.float64) ** 2 + part.imag.astype(np.float64) ** 2
-        before = power * (_multiplicity(block, nx, ny, half) / (nx * ny) ** 2)
-        after = before * np.abs(ratio) ** 2
+        before = parts.mean_squares(block)
+        after = before * (ratio.real**2 + ratio.imag**2)
         spectra["x"].add(block, before.sum(axis=1), after.sum(axis=1))
         spectra["y"].add(slice(None), before.sum(axis=0), after.sum(axis=0))
         if first == 0:
@@ -53,13 +70,87 @@ def superposed(
         cover.bands.add(along, across, before, after, of_wave)
         # A wave of amplitude A has a mean square of A^2/2.
         rise += math.nan if of_wave is None else 2 * (of_wave * before).sum()
-        part *= _real_at_nyquist(ratio, block, nx).astype(part.dtype)
-    sizes = (nx, ny) if half == 1 else (ny, nx)
-    deformed = fft.irfftn(
-        spectrum, s=sizes, axes=(1 - half, half), workers=WORKERS, overwrite_x=True
-    )
+        parts.multiply(block, ratio)
     known = rise / mean_square if mean_square > 0 else 0.0
-    return deformed, spectra, cover, None if math.isnan(rise) else known
+    return parts.total(), spectra, cover, None if math.isnan(rise) else known
+
+
+class _Cosines:
+    """Components of a surface followed by its mirror image: cosines, without the image itself.
+
+    The transfer Z of exp(i k x) turns cos(k x) into Re(Z) cos(k x) - Im(Z) sin(k x).
+    """
+
+    def __init__(self, height: Heights, surface: Surface) -> None:
+        self._axes = tuple(axis for axis in (0, 1) if height.shape[axis] > 1)
+        self._cosines = scipy.fft.dctn(height, axes=self._axes, workers=WORKERS)
+        self._sines: Heights | None = None
+        steps = surface.step_x_m, surface.step_y_m
+        self.qx, self.qy = (
+            np.arange(n) / (2 * n * step) if n > 1 else np.zeros(1)
+            for n, step in zip(height.shape, steps, strict=True)
+        )
+        self._weights = [_mean_square_of_cosines(n) for n in height.shape]
+
+    def mean_squares(self, block: slice) -> Floats:
+        along, across = self._weights
+        return self._cosines[block].astype(np.float64) ** 2 * (along[block, None] * across)
+
+    def multiply(self, block: slice, ratio: NDArray[Any]) -> None:
+        part = self._cosines[block]
+        if 0 in self._axes and np.iscomplexobj(ratio):
+            if self._sines is None:
+                self._sines = np.zeros_like(self._cosines)
+            first = max(block.start, 1)  # the transform of sines begins with the first wave
+            imaginary = ratio.imag[first - block.start :].astype(part.dtype)
+            self._sines[first - 1 : block.stop - 1] = self._cosines[first : block.stop] * imaginary
+        part *= ratio.real.astype(part.dtype)
+
+    def total(self) -> Heights:
+        found = scipy.fft.idctn(self._cosines, axes=self._axes, workers=WORKERS, overwrite_x=True)
+        if self._sines is not None:
+            lag = scipy.fft.idst(self._sines, axis=0, workers=WORKERS, overwrite_x=True)
+            if 1 in self._axes:
+                lag = scipy.fft.idct(lag, axis=1, workers=WORKERS, overwrite_x=True)
+            found -= lag
+        return np.asarray(found)
+
+
+def _mean_square_of_cosines(count: int) -> Floats:
+    """Return the mean square of each cosine over the square of its coefficient."""
+    weights = np.full(count, 0.5 / count**2)
+    weights[0] = 0.25 / count**2 if count > 1 else 1.0
+    return weights
+
+
+class _Waves:
+    """Components of a surface that repeats: waves, half of the conjugate pairs."""
+
+    def __init__(self, height: Heights, surface: Surface) -> None:
+        nx, ny = self._shape = height.shape
+        # The half spectrum is along y but for traces along x.
+        self._half = 0 if ny == 1 else 1
+        axes = (1 - self._half, self._half)
+        self._spectrum = scipy.fft.rfftn(height, axes=axes, workers=WORKERS)
+        self.qx = _frequencies(nx, surface.step_x_m, self._half == 0)
+        self.qy = _frequencies(ny, surface.step_y_m, self._half == 1)
+
+    def mean_squares(self, block: slice) -> Floats:
+        nx, ny = self._shape
+        part = self._spectrum[block]
+        power = part.real.astype(np.float64) ** 2 + part.imag.astype(np.float64) ** 2
+        return power * (_multiplicity(block, nx, ny, self._half) / (nx * ny) ** 2)
+
+    def multiply(self, block: slice, ratio: NDArray[Any]) -> None:
+        part = self._spectrum[block]
+        part *= _real_at_nyquist(ratio, block, self._shape[0]).astype(part.dtype)
+
+    def total(self) -> Heights:
+        axes = (1 - self._half, self._half)
+        sizes = [self._shape[axis] for axis in axes]
+        return np.asarray(
+            scipy.fft.irfftn(self._spectrum, s=sizes, axes=axes, workers=WORKERS, overwrite_x=True)
+        )
 
 
 def _real_at_nyquist(ratio: NDArray[Any], block: slice, nx: int) -> NDArray[Any]:
@@ -89,4 +180,6 @@ def _multiplicity(block: slice, nx: int, ny: int, half: int) -> NDArray[np.float
 def _frequencies(count: int, step_m: float, is_half: bool) -> NDArray[np.float64]:
     if count == 1:
         return np.zeros(1)
-    return np.asarray(fft.rfftfreq(count, step_m) if is_half else fft.fftfreq(count, step_m))
+    return np.asarray(
+        scipy.fft.rfftfreq(count, step_m) if is_half else scipy.fft.fftfreq(count, step_m)
+    )

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from scipy.optimize import linprog
+import scipy
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.moes_parameters import moes_values
@@ -228,7 +228,7 @@ def _nearest(
         most = np.where(stays & (now <= high), np.maximum(high - room, now), high - room)
         least = np.where(stays & (now >= low), np.minimum(low + room, now), low + room)
         upper = np.concatenate([most - now, now - least]) + 1e-12
-        found = linprog(cost, A_ub=sides, b_ub=upper, bounds=bounds, method="highs")
+        found = scipy.optimize.linprog(cost, A_ub=sides, b_ub=upper, bounds=bounds, method="highs")
         if not found.success:
             continue
         steps = np.exp(found.x[: len(keys)] - found.x[len(keys) :]).tolist()

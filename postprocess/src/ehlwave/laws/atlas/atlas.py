@@ -6,8 +6,6 @@ from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 
-import xarray as xr
-
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.line_contact import ROLLS_ALONE
 from ehlwave.errors import RangeError, ResultsError
@@ -25,7 +23,7 @@ from ehlwave.laws.atlas.kinds import (
     WIDE,
 )
 from ehlwave.laws.atlas.networks import Networks
-from ehlwave.laws.atlas.stored import read_stored
+from ehlwave.laws.atlas.stored import Stored, read_stored
 
 FORMAT_NAME = "ehlwave-atlas 3"
 
@@ -40,8 +38,8 @@ class Atlas(Networks):
 
     Parameters
     ----------
-    data : xarray.Dataset
-        As :func:`load_atlas` reads it; ``scripts/study atlas`` makes it.
+    data : Stored
+        As :func:`read_stored` reads it; ``scripts/study atlas`` makes it.
 
     Examples
     --------
@@ -52,7 +50,7 @@ class Atlas(Networks):
     rolling: M from 20 to 2000
     """
 
-    def __init__(self, data: xr.Dataset) -> None:
+    def __init__(self, data: Stored) -> None:
         """Take the networks."""
         said = str(data.attrs.get("format"))
         if said != FORMAT_NAME:

@@ -1,9 +1,7 @@
 """The networks of an atlas, and the kind of contacts that they are for."""
 
-import xarray as xr
-
 from ehlwave.laws.atlas.kind import Kind
-from ehlwave.laws.atlas.stored import committee_of, errors_of
+from ehlwave.laws.atlas.stored import Stored, committee_of, errors_of
 
 
 class Networks:
@@ -11,13 +9,13 @@ class Networks:
 
     Parameters
     ----------
-    data : xarray.Dataset
+    data : Stored
         As :func:`ehlwave.laws.atlas.stored.read_stored` reads it.
     kind : Kind
         Of its contacts.
     """
 
-    def __init__(self, data: xr.Dataset, kind: Kind) -> None:
+    def __init__(self, data: Stored, kind: Kind) -> None:
         """Take the networks."""
         self.data = data
         self.kind = kind
