@@ -15,7 +15,7 @@ from ehlwave.programs.case_input import case_groups, case_keys
 from studies.atlas.waves import pattern
 from studies.judged.any_contact import contact, cost
 from studies.judged.runs import kept, solved
-from studies.sweeps import Row
+from studies.sweeps import Row, write_rows
 
 FINE, WARM, LINE = (256, 256), (192, 192), 4096
 HEAVY_M, HEAVY, CENTRAL_ACCURACY = 3000.0, (512, 256), 0.003
@@ -24,8 +24,9 @@ WAVE_SIZES, WAVE_LINE, FEWEST_POINTS, LENGTH = (256, 384, 512), 4096, 16, 4.0
 MARCH_SIZES, MARCH_LINE, SMALL = (64, 96, 128), 512, 0.01
 """Cells of waves and of marches, and Ai over the film."""
 QUANTITIES = ("central", "smallest", "friction", "response")
-UNKNOWN = 0.02
-"""Error of a computed value that judges nothing, unless the error of the package is larger."""
+UNKNOWN, AT_ONCE = 0.02, 20
+"""Error of a computed value that judges nothing, unless the error of the package is larger; number
+of contacts between two prints."""
 
 
 def films(number: int, folder: Path) -> Row:
@@ -134,12 +135,24 @@ def _grid(is_line: bool, lengths: dict[str, float], is_marched: bool) -> Row:
     return {"cells_x": cells, "cells_y": cells}
 
 
-def computed(path: Path, count: int, at_once: int) -> list[Row]:
-    """Return rows of so many contacts: films first, responses second, quick contacts first."""
+def study(path: Path, count: int, folder: Path) -> list[Row]:
+    """Compute so many contacts, quick kinds first; write both tables; return the coverage.
+
+    Every `AT_ONCE` contacts the coverage is printed; rows that are known are kept.
+    """
     numbers = sorted(range(count), key=cost)
-    rows = kept(path, numbers, films, at_once)
-    more = kept(path.with_name(f"{path.stem}_waves.jsonl"), numbers, waves, at_once)
-    return [*rows, *more]
+    found: list[Row] = []
+    for first in range(0, count, AT_ONCE):
+        part = numbers[first : first + AT_ONCE]
+        film_rows = kept(path, part, films, 1)
+        wave_rows = kept(path.with_name(f"{path.stem}_waves.jsonl"), part, waves, 1)
+        found += [*film_rows, *wave_rows]
+        for name in QUANTITIES:
+            print(judged(found, name), flush=True)
+    for name, kind in (("answers", films), ("answers_waves", waves)):
+        rows = kept(path.with_name(f"{name}.jsonl"), numbers, kind, 1)
+        write_rows(folder / f"{name}.csv", rows, digits=5)
+    return [judged(found, name) for name in QUANTITIES]
 
 
 def judged(rows: Sequence[Row], name: str) -> Row:
