@@ -38,7 +38,7 @@ NEWTONIAN_FROZEN = 2.0
 SMALL, CHANGE_ERROR = 0.02, 0.1
 """Ai over the film of marches. Error of the change by passing temperatures, over the change: 96
 cells differ from 64 by 6 to 8 % of it (a ball under slip, 1.3 and 3 a)."""
-LINE_CELLS: dict[str, Any] = {"cells_x": 512}
+LINE_CELLS: dict[str, Any] = {"cells_x": 256}
 CELLS: tuple[dict[str, Any], ...] = (
     {"cells_x": 96, "cells_y": 64},
     {"cells_x": 192, "cells_y": 96},
