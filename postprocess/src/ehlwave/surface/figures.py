@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from ehlwave.choices import Window
 from ehlwave.contact.conditions import Conditions
-from ehlwave.results.scales_of_figures import aspect_note, readable_aspect
+from ehlwave.results.scales_of_figures import COLUMN, aspect_note, readable_aspect
 from ehlwave.surface.prepare import judged_part
 from ehlwave.surface.spectrum import Spectrum
 from ehlwave.surface.surface import Heights, Surface
@@ -56,7 +56,7 @@ def deformed_figure(result: Drawn) -> Figure:
     """
     with rc_context(STYLE):
         if result.surface.is_trace:
-            figure = Figure(figsize=(6.4, 4.6), layout="constrained")
+            figure = Figure(figsize=(COLUMN, 4.4), layout="constrained")
             whole, detail = figure.subplots(2, 1)
             _draw_line(whole, result, None)
             _draw_line(detail, result, 1.0)
