@@ -57,3 +57,11 @@ def test_a_wrong_surface_would_be_seen(tmp_path: Path) -> None:
     layout.height_m = layout.height_m * 1.001
     with pytest.raises(AssertionError):
         _ = read(layout, {}), read(layout, layout.said)
+
+
+def test_blanks_inside_a_heading_make_no_columns(tmp_path: Path) -> None:
+    """The name of a quantity is no unit: `Hauteur, nm` above numbers is one heading, not two."""
+    layout = drawn(tmp_path, 1014604)
+    assert "# Hauteur, nm Distance/um" in layout.path.read_text(encoding="utf-16")
+    answers = {"height_unit": layout.height_unit, "step": 1e6 * layout.step_m, "length_unit": "um"}
+    assert read(layout, answers) != ""  # right or asked; `read` fails where it is wrong

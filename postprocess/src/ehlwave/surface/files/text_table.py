@@ -123,7 +123,9 @@ _BEGINNINGS += ("messwerte", "profildaten", "mesures", "データ", "measurement
 
 
 def _are_units(cells: Sequence[str]) -> bool:
-    return all(not cell or known_unit(cell) or heading_of(f"[{cell}]").role for cell in cells)
+    """Return whether cells are units: of length, of anything else, or empty."""
+    units = (known_unit(cell) or heading_of(f"[{cell}]").role == "other" for cell in cells if cell)
+    return all(units)
 
 
 def _cells_of(line: str, separator: str | None, columns: int) -> list[str] | None:
