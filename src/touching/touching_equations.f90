@@ -86,7 +86,10 @@ contains
 
       call problem%film(given, state%p + state%c, state%delta, self%gap)
       state%h = self%gap
-      if (.not. law%is_soft) state%h = merge(law%film, max(self%gap, least_film*law%film), state%is_touching)
+      if (.not. law%is_soft) then
+         if (allocated(past%f)) state%h = max(state%h, least_film*law%film)
+         where (state%is_touching) state%h = law%film
+      end if
       call problem%edges%impose(given, state%h, state%p)
       call self%evaluate_flow(problem, state%p, state%h)
       call driven_flow(self%mesh, self%flow, self%residual)

@@ -22,7 +22,7 @@ module ehlwave_touching_newton
    public :: set_speed
 
    real(dp), parameter :: small_speed_step = 1e-6_dp     !! of ln(speed), for its derivative
-   real(dp), parameter :: loose = 1e-2_dp, tight = 1e-3_dp   !! tolerance of linear solutions while sets change, or not
+   real(dp), parameter :: loose = 1e-2_dp, exact = 1e-8_dp   !! linear tolerance: of marches, of steady states
    integer, parameter :: largest_krylov = 150            !! linear steps of a solution
 
    !> A contact on one grid, with what it is given.
@@ -94,7 +94,7 @@ contains
          if (report%nonlinear_steps == self%largest_steps) exit
          call self%equations%linearise(self%past, state)
          if (sides%seeks_speed) call differentiate_by_speed(self, state, sides)
-         call solve_linear(self, state, sides, merge(tight, loose, steps%are_settled), change, report)
+         call solve_linear(self, state, sides, merge(loose, exact, allocated(self%past%f)), change, report)
          call steps%take(self%problem, self%law, self%given, allocated(self%past%f), change, self%equations%gap, state)
          report%nonlinear_steps = report%nonlinear_steps + 1
       end do

@@ -52,18 +52,19 @@ contains
       logical, allocatable :: leaves(:, :), sets(:, :)
       real(dp) :: part
 
-      part = length_of(state, change)/(1 + self%returns)
+      part = length_of(marches, state, change)/(1 + self%returns)
       call change_pressures(law, marches, part, change, state, leaves)
       state%delta = state%delta + part*change%delta
       state%speed = state%speed*exp(part*change%ln_speed)
       call problem%film(given, max(state%p, 0.0_dp) + state%c, state%delta, gap)
+      if (.not. law%is_soft) leaves = leaves .and. (gap > least_gap*law%film .or. .not. marches)
       call choose_sets(problem%grid, law, gap, leaves, state)
       sets = reshape([state%is_touching, state%is_cavitated], [size(state%p), 2])
       self%are_settled = .false.
       if (allocated(self%last)) self%are_settled = all(sets .eqv. self%last)
       if (self%are_settled .or. .not. allocated(self%before)) then
          self%returns = 0
-      else if (all(sets .eqv. self%before)) then
+      else if (marches .and. all(sets .eqv. self%before)) then
          self%returns = min(self%returns + 1, most_halvings)
       else
          self%returns = 0
@@ -72,14 +73,20 @@ contains
       call move_alloc(sets, self%last)
    end subroutine take
 
-   !> Part of a change that is taken: the oil's pressure where no solids bear changes within limits, which are wider
-   !> downwards, and no further than to 0.
-   pure real(dp) function length_of(state, change) result(part)
+   !> Part of a change that is taken, in a march: the oil's pressure where no solids bear changes within limits, which
+   !> are wider downwards, and no further than to 0. In steady states the limit holds everywhere and both ways.
+   pure real(dp) function length_of(marches, state, change) result(part)
+      logical, intent(in) :: marches
       type(touching_state_t), intent(in) :: state
       type(touching_change_t), intent(in) :: change
       real(dp) :: down, up
-      up = maxval(change%p, mask=.not. (state%is_cavitated .or. state%is_touching))
-      down = maxval(min(state%p, -change%p), mask=.not. (state%is_cavitated .or. state%is_touching))
+      if (marches) then
+         up = maxval(change%p, mask=.not. (state%is_cavitated .or. state%is_touching))
+         down = maxval(min(state%p, -change%p), mask=.not. (state%is_cavitated .or. state%is_touching))
+      else
+         up = maxval(abs(change%p), mask=.not. state%is_cavitated)
+         down = 0
+      end if
       part = 1/max(1.0_dp, up/largest_change_p, down/largest_fall_p, abs(change%ln_speed)/largest_change_speed)
    end function length_of
 
@@ -130,7 +137,7 @@ contains
       if (law%is_soft) then
          where (bears .and. .not. state%is_touching) state%c = law%stress*exp((law%film - gap)/law%softness)
       else
-         bears = is_unknown .and. merge(.not. (leaves .and. gap > least_gap*law%film), bears, state%is_touching)
+         bears = is_unknown .and. merge(.not. leaves, bears, state%is_touching)
       end if
       state%is_touching = bears
       state%is_cavitated = breaks

@@ -90,11 +90,11 @@ def jacobian(_: argparse.Namespace) -> int:
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
 )
 def touching(options: argparse.Namespace) -> int:
-    """Run random marches of contacts whose surfaces touch, and count those that reach the end.
+    """March random contacts whose surfaces touch.
 
     Waves, pairs of waves and measured maps on lines and balls, Rq over film 0.3 to 3, S 0.1 to 1.9,
     Newtonian and Ree-Eyring oils. Writes marches.jsonl; a run that is there goes on. About half a
-    minute each on one core.
+    minute each on one core. The last line counts those that reach the end.
 
     Exit status: 0 at least 95 % reach the end; 1 otherwise; 2 bad usage.
     """
