@@ -186,7 +186,7 @@ class Accuracy(TestCase):
         result = last_line(self.call(changed(WAVY, {"solver": {"accuracy": 0.1}})))
         self.assertEqual(result["amplitude_error_basis"], "coarse_grid")
         # from finer grids: H(0,0) = 0.1493, Ad/Ai = 0.916
-        self.check_close(result["central_film_error"], abs(result["central_film"]/0.1493 - 1), 0.5, "H(0,0)")
+        self.assertTrue(1 <= result["central_film_error"]/abs(result["central_film"]/0.1493 - 1) <= 2, result)
         self.assertTrue(1/3 < result["amplitude_ratio_error"]/abs(result["amplitude_ratio_fit"]/0.916 - 1) < 3, result)
         model = last_line(self.call(changed(WAVY, {"solver": {"accuracy": 0.1, "error_estimate": "model"}})))
         self.assertEqual(model["amplitude_error_basis"], "model")

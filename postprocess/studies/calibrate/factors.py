@@ -1,0 +1,144 @@
+"""Factors of declared errors from the sample, and their coverage of contacts left out."""
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ehlwave.writing import Writer
+from studies.programs import ROOT
+from studies.sweeps import Row
+
+TABLE = ROOT / "src" / "case" / "error_factors.f90"
+BOUND = 0.99
+"""Share of errors below the declared errors."""
+SCHEMES = ("averaged", "fitted")
+BASES = ("coarse_grid", "model")
+QUANTITIES = (
+    *("central_film", "smallest_film", "friction", "rolling", "response", "amplitude_ratio"),
+)
+FEWEST = 30
+"""Contacts from which a quantile is taken; the factor of the other scheme stands in for fewer."""
+HALVES, SEED = 20, 7
+
+
+def factors(rows: Sequence[Row], present: dict[str, float]) -> dict[str, float]:
+    """Return the factor of each quantity, scheme and basis, by the names of `key`.
+
+    Rows have the error of a number over its rule, ``ratio``. A factor without enough rows is the
+    larger of its present value and of the factor of the other scheme.
+    """
+    found = dict(present)
+    for quantity in QUANTITIES:
+        for basis in BASES:
+            enough = {}
+            for scheme in SCHEMES:
+                some = ratios(rows, quantity=quantity, scheme=scheme, basis=basis)
+                if some.size >= FEWEST:
+                    enough[scheme] = float(np.quantile(some, BOUND))
+            for scheme in SCHEMES:
+                name = key(quantity, scheme, basis)
+                others = max(enough.values(), default=0.0)
+                found[name] = enough.get(scheme, max(others, present[name]))
+    for quantity in QUANTITIES:
+        for scheme in SCHEMES:
+            by_model = key(quantity, scheme, "model")
+            found[by_model] = max(found[by_model], found[key(quantity, scheme, "coarse_grid")])
+    return found
+
+
+def key(quantity: str, scheme: str, basis: str) -> str:
+    """Return the name of a factor."""
+    return f"{quantity} {scheme} {basis}"
+
+
+def ratios(rows: Sequence[Row], **equal: Any) -> np.ndarray:  # noqa: ANN401
+    """Return errors over rules of the rows that have these values."""
+    return np.array([row["ratio"] for row in rows if all(row[k] == v for k, v in equal.items())])
+
+
+def coverage(rows: Sequence[Row], present: dict[str, float]) -> list[Row]:
+    """Return the coverage of contacts by factors of random halves without them, by class."""
+    rng = np.random.default_rng(SEED)
+    contacts = sorted({row["contact"] for row in rows})
+    held: dict[tuple[str, str, str], list[float]] = {}
+    for _ in range(HALVES):
+        half = set(rng.permutation(contacts)[: len(contacts) // 2])
+        fitted = factors([row for row in rows if row["contact"] in half], present)
+        for row in rows:
+            if row["contact"] in half:
+                continue
+            times = row["ratio"] / fitted[key(row["quantity"], row["scheme"], row["basis"])]
+            for one in ("all", *row["classes"].split()):
+                held.setdefault((row["quantity"], row["scheme"], one), []).append(times)
+    return [_covered(rows, name, times) for name, times in sorted(held.items())]
+
+
+def _covered(rows: Sequence[Row], name: tuple[str, str, str], times: list[float]) -> Row:
+    quantity, scheme, one = name
+    same = [
+        row
+        for row in rows
+        if (row["quantity"], row["scheme"]) == (quantity, scheme)
+        and one in ("all", *row["classes"].split())
+    ]
+    array = np.array(times)
+    return {
+        "quantity": quantity,
+        "scheme": scheme,
+        "class": one,
+        "contacts": len(same),
+        "covered": float(np.mean(array <= 1)),
+        "beyond_1.5": float(np.mean(array > 1.5)),
+        "largest": float(array.max()),
+        "mean_bar": float(np.mean([row["declared"] for row in same])),
+        "mean_bar_before": _mean([row["before"] for row in same]),
+    }
+
+
+def _mean(values: list[float]) -> float:
+    some = [value for value in values if value is not None and math.isfinite(value)]
+    return float(np.mean(some)) if some else math.nan
+
+
+def read_table(path: Path = TABLE) -> dict[str, float]:
+    """Return the factors in the Fortran table."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    found = {}
+    for basis, name in zip(BASES, ("by_grids", "by_model"), strict=True):
+        first = next(n for n, line in enumerate(lines) if f":: {name}(" in line)
+        for number, scheme in enumerate(SCHEMES):
+            words = lines[first + 1 + number].split("]")[0].replace("&", "").split(",")
+            values = [float(word.replace("_dp", "")) for word in words if word.strip()]
+            found |= {key(q, scheme, basis): v for q, v in zip(QUANTITIES, values, strict=True)}
+    return found
+
+
+def write_table(found: dict[str, float], contacts: int, path: Path = TABLE) -> None:
+    """Write the Fortran table."""
+    text = HEAD.format(contacts=contacts)
+    for basis, name in zip(BASES, ("by_grids", "by_model"), strict=True):
+        text += f"   real(dp), parameter, public :: {name}({len(QUANTITIES)}, 2) = reshape([ &\n"
+        for scheme, end in zip(SCHEMES, (", &", f"], [{len(QUANTITIES)}, 2])"), strict=True):
+            values = [f"{found[key(q, scheme, basis)]:#.3g}_dp" for q in QUANTITIES]
+            text += f"      {', '.join(values)}{end}\n"
+    Writer().text(path, text + "\nend module ehlwave_error_factors\n")
+
+
+HEAD = """\
+!> Factors of declared errors. Written by `scripts/study accuracy --calibrate`: do not edit.
+!>
+!> 99 % of the errors of {contacts} contacts are below factor times rule, theory eq. (E1). The errors
+!> are in postprocess/record/accuracy/sample.csv.
+module ehlwave_error_factors
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+
+   integer, parameter, public :: central_film = 1, smallest_film = 2, friction = 3, &
+                                 rolling = 4, response = 5, amplitude_ratio = 6
+
+   !> With a coarser grid, and by the model alone: (quantity, scheme), schemes averaged and fitted.
+"""
