@@ -87,7 +87,7 @@ def test_the_saved_script_and_document_repeat_the_film() -> None:
     assert saved["film"]["central_m"] == answer.film.central_m
     assert saved["surface"] is None
     assert f"{answer.film.central_m * 1e6:.4g} um" in headline(answer)
-    for name in ("Central", "Minimum error", "Friction"):
+    for name in ("Central", "Error of the minimum film", "Friction"):
         assert name in numbers(answer)
 
 
@@ -123,7 +123,7 @@ def test_messages_are_those_of_the_command_line_and_name_a_field() -> None:
     said = failure(str(caught.value), [quantities.MODULUS, quantities.LOAD])
     assert "Field: Load" in said
     assert "load_n" not in said
-    assert plain("give heat data (heat=)") == "give heat data"
+    assert plain("give heat data (heat=)") == "choose 'with heat' under Film and friction"
     assert plain("DeepGrooveBallBearing: bore_m is 0") == "deep groove ball bearing: Bore d is 0"
     assert "<script>" not in failure("<script>alert(1)</script>", [])
 

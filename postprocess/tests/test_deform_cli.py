@@ -38,7 +38,9 @@ def test_deform_writes_profile_spectrum_report_and_figures(tmp_path: Path, capsy
     ]
     output = tmp_path / "new" / "folder"
     assert main([*arguments, "--output", str(output)]) == 0
-    figures = {f"{name}.{kind}" for name in ("deformed", "spectrum") for kind in ("png", "pdf")}
+    figures = {
+        f"{name}.{kind}" for name in ("deformed", "spectrum", "remove") for kind in ("png", "pdf")
+    }
     assert written_names(output) == figures | {
         "deformed.csv",
         "deformed.h5",

@@ -2,6 +2,7 @@
 
 import doctest
 import json
+import re
 import shutil
 from importlib import import_module
 from pathlib import Path
@@ -11,8 +12,11 @@ import pytest
 import ehlwave
 from ehlwave import elements
 from ehlwave.cli import main
+from ehlwave.elements.columns import TEXTS
 from ehlwave.elements.document import CALLS, KINDS, read_element
 from ehlwave.elements.drawing import DRAWINGS, drawing_svg
+from ehlwave.elements.formulas import FORMULAS
+from ehlwave.elements.report import report_html
 
 FOLDER = Path(__file__).parents[1] / "examples" / "elements"
 FILES = sorted(FOLDER.glob("*.toml"))
@@ -97,3 +101,17 @@ MODULES = sorted(
 def test_examples_of_docstrings_print_what_they_say(name: str) -> None:
     module = import_module(f"ehlwave.elements.{name}")
     assert doctest.testmod(module).failed == 0
+
+
+@pytest.mark.parametrize("name", ["bearing_6208", "gear_module_3", "cam_flat", "mini_traction"])
+def test_reports_name_every_number_and_its_formula(name: str) -> None:
+    table = read_element(FOLDER / f"{name}.toml").table(by="laws", stress=False)
+    html = report_html(table)
+    headings = re.findall(r"<th><a href='#(\w+)'>([^<]+)</a></th>", html)
+    lines = dict(re.findall(r"<tr id='(\w+)'><th>[^<]+</th><td class='text'>([^<]+)</td>", html))
+    assert len(headings) > 15
+    for key, label in headings:
+        assert lines[key], key
+        assert "_" not in label.replace("h_c", ""), label
+    known = {*map(str, table.variables), *map(str, table.attrs)} - {*TEXTS, "worst", "element"}
+    assert known <= FORMULAS.keys()

@@ -9,9 +9,13 @@ import pandas as pd
 import pytest
 
 from ehlwave.cli import main
+from ehlwave.contact.alpha_estimates import ESTIMATES
 from ehlwave.errors import ArgumentError
 from ehlwave.identify import identification_figure, identify, read_measurements
 from ehlwave.identify.model import by_laws
+from studies.published.films import ALPHA_PER_PA, alpha_of_runs
+
+RECORD = Path(__file__).parents[1] / "record" / "validation" / "identified.csv"
 
 NOISE = 0.02
 OIL = {"viscosity_pa_s": 0.05, "pressure_viscosity_per_pa": 1.8e-8}
@@ -84,6 +88,19 @@ def test_traction_curve_and_figure() -> None:
     assert stress.low < 6e6 < stress.high
     assert stress.error < 0.05
     assert len(identification_figure(found).axes) == 2
+
+
+def test_published_films() -> None:
+    """Films of FVA 3 imply the alpha of their thesis: together, and on each day at 40 C."""
+    table = alpha_of_runs().set_index("run")
+    published = 1e9 * ALPHA_PER_PA
+    assert table.low["all"] < published < table.high["all"]
+    assert table.low["40"] < published < table.high["40"]
+    scatter = ESTIMATES["gold"].scatter
+    assert abs(table.alpha_per_gpa["40 again"] / published - 1) < scatter
+    record = pd.read_csv(RECORD, index_col="run")
+    for name in ("alpha_per_gpa", "low", "high"):
+        assert np.allclose(record[name], table[name], rtol=0.01), name
 
 
 def test_what_films_do_not_determine() -> None:

@@ -4,7 +4,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+from matplotlib.text import Text
 from synthetic import concatenated, make_columns, write_results
 from test_export import write_case
 
@@ -115,3 +118,28 @@ def test_labels_say_what_varies_and_cases_count_from_one(tmp_path: Path, capsys:
     same = {key: np.array(values)[:1] for key, values in columns.items()}
     alone = ehlwave.read_results(write_results(tmp_path / "c.h5", concatenated(same)))
     assert alone["label"].values.tolist() == [""]
+
+
+COLUMN_MM = 87
+SMALLEST_PT = 4.8
+
+
+def printed_sizes(figure: Figure) -> list[float]:
+    """Return the sizes of all texts of a figure in a printed column, pt."""
+    scale = COLUMN_MM / 25.4 / figure.get_figwidth()
+    texts = figure.findobj(lambda one: isinstance(one, Text) and bool(one.get_text().strip()))
+    return [scale * one.get_fontsize() for one in texts]
+
+
+def test_text_can_be_read_in_a_printed_column_and_does_not_overlap(tmp_path: Path) -> None:
+    figure = case_figure(ehlwave.read_case(write_case(tmp_path / "c.h5")))
+    FigureCanvasAgg(figure).draw()
+    assert min(printed_sizes(figure)) >= SMALLEST_PT
+    width = figure.bbox.width
+    for axes in figure.axes:
+        legend = axes.get_legend()
+        for part in filter(None, (axes.title, axes.xaxis.label, legend)):
+            box = part.get_window_extent()
+            assert 0 <= box.x0 <= box.x1 <= width
+        if legend:
+            assert legend.get_window_extent().x1 <= axes.bbox.x1 + 1

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import ehlwave
-from ehlwave.surface import trace_surface
+from ehlwave.surface import removal_figure, trace_surface
 from ehlwave.surface.removal import removal_text
 
 CONTACT = ehlwave.Contact(
@@ -52,6 +52,15 @@ def test_report_names_the_worst_band() -> None:
     found = CONTACT.deform(waves(40e-9, 38e-9), form="none", ends="none")
     assert found.bands[0].shortest_m < SHORT_M < found.bands[0].longest_m
     assert "transverse" in removal_text(found.bands)[0]
+
+
+def test_figure_has_the_bands() -> None:
+    """The bars of all directions add up to the gradients."""
+    found = CONTACT.deform(waves(80e-9, 40e-9), form="none", ends="none")
+    (axes,) = removal_figure(found.bands).axes
+    heights = [bar.get_height() for bar in axes.patches]
+    assert sum(heights) == pytest.approx(sum(band.gradient for band in found.bands))
+    assert min(heights) == pytest.approx(found.bands[0].gradient)
 
 
 def test_directions_of_a_map() -> None:

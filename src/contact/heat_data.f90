@@ -1,7 +1,7 @@
 !> How oil and bodies conduct and store heat, and the scales of temperatures that follow.
 module ehlwave_heat_data
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
    public :: new_heat_scales
@@ -36,7 +36,7 @@ module ehlwave_heat_data
    type, public :: heat_scales_t
       real(dp) :: convection = 0       !! rho0 cp ubar c^2/(a k)
       real(dp) :: work = 0             !! ubar ph c^2/(a k), K
-      real(dp) :: wall(2) = 0          !! (k/c) (a/(pi k_s rho_s c_s u_i))^(1/2)
+      real(dp) :: body(2) = 0          !! (k/c) a/k_s
       real(dp) :: temperature_k = 0    !! T0
       real(dp) :: peclet(2) = 0        !! u_i a rho_s c_s/(2 k_s): motion of surfaces against conduction in the bodies
       real(dp) :: flux = 0             !! k/c, W/(m2 K): heat flow for a unit of d theta/d zeta over H
@@ -84,8 +84,7 @@ contains
          speed = u*[conditions%slip_parameter, 2 - conditions%slip_parameter]
          self%convection = data%oil_density_kg_per_m3*data%oil_heat_capacity_j_per_kg_k*u*c**2/(a*k)
          self%work = u*conditions%hertz_pressure_pa*c**2/(a*k)
-         self%wall = k/c*sqrt(a/(pi*body%conductivity_w_per_m_k*body%density_kg_per_m3*body%heat_capacity_j_per_kg_k &
-                                 *speed))
+         self%body = k/c*a/body%conductivity_w_per_m_k
          self%peclet = 0.5_dp*speed*a*body%density_kg_per_m3*body%heat_capacity_j_per_kg_k/body%conductivity_w_per_m_k
          self%temperature_k = temperature_k
          self%flux = k/c

@@ -6,19 +6,20 @@ module ehlwave_energy
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_film_heat, only: new_film_heat
    use ehlwave_film_levels, only: new_film_levels
-   use ehlwave_film_shear, only: new_film_shear, shear_film
+   use ehlwave_film_shear, only: made_by_own, made_by_stress, made_stress_by_rise, new_film_shear, shear_film
    use ehlwave_flow, only: flow_t
    use ehlwave_grid, only: grid_t
    use ehlwave_heat_data, only: heat_scales_t
    use ehlwave_heat_rows, only: heat_rows_t
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, pi
    use ehlwave_layer_flux, only: find_layer_fluxes
    use ehlwave_shear_stress, only: least_pressure
    use ehlwave_state, only: state_t
+   use ehlwave_wall_heat, only: new_wall_heat
    use ehlwave_wall_history, only: new_wall_history
    implicit none (type, external)
    private
-   public :: new_energy, warm_problem
+   public :: fast, new_energy, warm_problem
 
    !> Its rows, and how far the last march has settled.
    type, extends(heat_rows_t), public :: energy_t
@@ -31,10 +32,13 @@ module ehlwave_energy
       procedure :: look_ahead
       procedure :: march
       procedure :: finish
+      procedure, private :: settle_walls
       procedure :: weigh
    end type energy_t
 
    real(dp), parameter :: bearing = 1e-3_dp        ! P of nodes whose heat is compared
+   !> Peclet number from which on a surface conducts no heat to before the film: 3 % of the rise (Blok, Jaeger).
+   real(dp), parameter :: fast = 5
    integer, parameter :: beside = 2   ! rows and nodes beyond the film under pressure that marches of it alone take
 
 contains
@@ -81,7 +85,7 @@ contains
          self%steady_rise(wall, :, :) = self%rise(merge(self%levels%n, 0, wall == 1), :, :)
          speed = merge(problem%conditions%slip_parameter, 2 - problem%conditions%slip_parameter, wall == 1)
          self%walls(wall) = new_wall_history(problem%grid%nx, problem%grid%ny, problem%grid%hx, speed, dt, &
-                                             self%scales%wall(wall))
+                                             self%scales%body(wall)/sqrt(2*pi*self%scales%peclet(wall)))
       end do
       self%steady_heat = self%into_wall
       allocate (self%earlier)
@@ -129,8 +133,12 @@ contains
       end if
       call find_layer_fluxes(self%flux, problem%grid, problem%conditions%elliptic%kappa, self%levels, self%shear, flow)
       self%rise = problem%heat%rise
+      if (.not. allocated(self%bodies)) then
+         self%bodies = new_wall_heat(problem%grid, problem%conditions%elliptic%kappa, self%scales)
+         call self%bodies%take(problem%grid, self%into_wall)
+      end if
       self%until = problem%grid%nx
-      if (until_film_ends) self%until = film_ends(problem%grid, state%p)
+      if (until_film_ends .and. minval(self%scales%peclet) > fast) self%until = film_ends(problem%grid, state%p)
       call self%march_rows(problem, state%h, flow%f, [(0, j=0, problem%grid%ny)])
       change = 0
       largest = tiny(largest)
@@ -148,7 +156,43 @@ contains
       self%heat = problem%grid%integral(merge(self%shear%shear_heat/state%h, 0.0_dp, state%p > bearing))
       self%heat_difference = abs(self%heat_difference - self%heat)/max(self%heat, tiny(before))
       self%difference = change*problem%grid%hx*problem%grid%hy/largest
+      if (allocated(self%earlier)) return
+      call self%settle_walls(problem, state, change)
+      self%difference = max(self%difference, change/largest)
    end subroutine march
+
+   !> Rises of the surfaces by the heat of a march, as the film conducts it.
+   subroutine settle_walls(self, problem, state, change)
+      class(energy_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      real(dp), intent(out) :: change            !! what the rises of the march lacked, K, weighted with the pressure
+      real(dp), dimension(2, 0:problem%grid%nx, 0:problem%grid%ny) :: missing, response
+      real(dp) :: less
+      integer :: i, j
+
+      response = 0
+      associate (grid => problem%grid, weight => self%levels%weight)
+         do j = grid%first_row, grid%last_row
+            do i = 1, min(grid%nx - 1, self%until(j))
+               associate (made => self%shear%made(:, :, i, j))
+                  less = dot_product(weight, made(:, made_by_own)) &
+                         - dot_product(weight, made(:, made_by_stress))*sum(made(:, made_stress_by_rise))
+               end associate
+               less = min(less, 0.0_dp)
+               response(:, i, j) = [1.0_dp, 0.25_dp*less/(1 - less/12)]/state%h(i, j)
+            end do
+         end do
+         call self%bodies%settle(grid, self%into_wall, response, missing)
+         change = 0
+         do j = grid%first_row, grid%last_row
+            do i = 1, grid%nx - 1
+               change = change + grid%weight(j)*max(state%p(i, j), 0.0_dp)*0.5_dp*sum(abs(missing(:, i, j)))
+            end do
+         end do
+         change = change*grid%hx*grid%hy
+      end associate
+   end subroutine settle_walls
 
    !> Last node of each row that is within so many nodes and rows of the film under pressure.
    pure function film_ends(grid, p) result(until)

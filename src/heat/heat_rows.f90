@@ -1,4 +1,4 @@
-!> March of the equation of energy along the rows of a grid, theory eq. (T6), (T7) and in time (T9).
+!> March of the equation of energy along the rows of a grid, theory eq. (T6) and, in time, (T9).
 !>
 !> The oil and the surfaces carry heat downstream, so the rows are marched along X, column by column, where oil flows
 !> back to and fro. Oil from a row that comes later brings the rise of the march before.
@@ -12,7 +12,7 @@ module ehlwave_heat_rows
    use ehlwave_heat_data, only: heat_scales_t
    use ehlwave_kinds, only: dp
    use ehlwave_layer_flux, only: layer_flux_t
-   use ehlwave_wall_heat, only: wall_weights
+   use ehlwave_wall_heat, only: wall_heat_t
    use ehlwave_wall_history, only: wall_history_t
    implicit none (type, external)
    private
@@ -27,6 +27,7 @@ module ehlwave_heat_rows
       real(dp), allocatable :: into_wall(:, :, :)   !! d theta/d zeta over H, into surfaces 1 and 2, (2, 0:nx, 0:ny)
       real(dp) :: difference = huge(1.0_dp)         !! change of its mean rise from the previous march, over the largest
       integer, allocatable :: until(:)              !! last node of each row that a march comes to, (0:ny)
+      type(wall_heat_t), allocatable :: bodies      !! steady heat in both bodies
       type(earlier_t), allocatable :: earlier       !! absent: the steady state
       type(wall_history_t), allocatable :: walls(:) !! history of surfaces 1 and 2, by the difference of heat into
                                                     !! them from the steady state; with `earlier`
@@ -50,23 +51,19 @@ contains
       type(contact_problem_t), intent(in) :: problem
       real(dp), intent(in) :: h(0:, 0:), f(0:, 0:)   !! H and rho H, (0:nx, 0:ny)
       integer, intent(in) :: from(0:)                !! see `march_row`, (0:ny)
-      real(dp) :: w(0:problem%grid%nx)
       integer :: j
 
-      w = wall_weights(problem%grid%nx, problem%grid%hx)
-      w = w(problem%grid%nx:0:-1)
       do j = problem%grid%first_row, problem%grid%last_row
-         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, w, h(:, j), f(:, j), &
+         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, h(:, j), f(:, j), &
                              problem%heat%rise(:, :, j), j, from(j))
       end do
    end subroutine march_rows
 
    !> A row, from a node on. Where oil flows back, columns are solved upstream and downstream in turn.
-   pure subroutine march_row(self, grid, kappa, w, h, f, before, j, from)
+   pure subroutine march_row(self, grid, kappa, h, f, before, j, from)
       class(heat_rows_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
-      real(dp), intent(in), contiguous :: w(0:)    !! weights of `wall_weights`, backward
       real(dp), intent(in), contiguous :: h(0:), f(0:)   !! H and rho H of the row, (0:nx)
       real(dp), intent(in), contiguous :: before(0:, 0:) !! rise at which the source is known, (0:levels, 0:nx)
       integer, intent(in) :: j
@@ -86,16 +83,16 @@ contains
          end do
          do turn = 1, merge(turns_in_time, steady_turns, allocated(self%earlier))
             do i = last, 1, -1
-               call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
+               call solve_node(self, grid, kappa, h(i), f(i), q, before(:, i), i, j, column)
             end do
             self%rise(:, 0, j) = merge(0.0_dp, self%rise(:, 1, j), self%flux%x(:, 0, j) >= 0)
             do i = 1, last
-               call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
+               call solve_node(self, grid, kappa, h(i), f(i), q, before(:, i), i, j, column)
             end do
          end do
       end if
       do i = last + 1, end
-         call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
+         call solve_node(self, grid, kappa, h(i), f(i), q, before(:, i), i, j, column)
       end do
       do i = end + 1, grid%nx
          self%rise(:, i, j) = self%rise(:, end, j)
@@ -104,11 +101,10 @@ contains
    end subroutine march_row
 
    !> A node. Flows through its sides take the rise from upstream, of second order; backflow along X of first order.
-   pure subroutine solve_node(self, grid, kappa, h, f, w, q, before, i, j, column)
+   pure subroutine solve_node(self, grid, kappa, h, f, q, before, i, j, column)
       class(heat_rows_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, h, f          !! H and rho H of the node
-      real(dp), intent(in), contiguous :: w(0:)    !! weights of `wall_weights`, backward
       real(dp), intent(inout), contiguous :: q(0:, :)    !! heat flows into surfaces 1 and 2 of the row
       real(dp), intent(in), contiguous :: before(0:)     !! rise at which the source is known
       integer, intent(in) :: i, j
@@ -142,9 +138,9 @@ contains
                                  + [self%walls(1)%rise(i, j), self%walls(2)%rise(i, j)]
          else
             do m = 1, 2
-               column%wall_before(m) = self%scales%wall(m)*heated(i, w(nx - i:), q(:, m))
+               column%wall_before(m) = self%bodies%rest(m, i, j) + heated(i, self%bodies%upstream(nx - i:, m), q(:, m))
             end do
-            column%wall_own = self%scales%wall*w(nx)
+            column%wall_own = self%bodies%upstream(nx, :)
          end if
          call solve_column(column, self%levels, self%shear%made(:, :, i, j), before, theta(:, i, j), into)
          share = 0

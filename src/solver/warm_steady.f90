@@ -39,7 +39,7 @@ module ehlwave_warm_steady
 
    !> Change of a state by heat.
    type :: warming_t
-      real(dp), allocatable :: p(:, :), rise(:, :, :)
+      real(dp), allocatable :: p(:, :), rise(:, :, :), into_wall(:, :, :)
       real(dp) :: delta = 0
    contains
       procedure :: to_finer
@@ -79,29 +79,33 @@ contains
             deallocate (below)
          end if
          energy = new_energy(intervals, scales, multigrid%levels(l)%problem%grid)
+         if (allocated(predicted)) energy%into_wall = predicted%into_wall
          here = limits
          if (l < n) here%tolerance = max(limits%tolerance, coarse_tolerance)
          call settle(multigrid, l, allocated(predicted), here, cap, energy)
          if (multigrid%levels(l)%report%status /= status_converged) cycle
          call multigrid%take_film(l)
-         if (l < n) below = warming_of(multigrid%levels(l), cold, predicted)
+         if (l < n) below = warming_of(multigrid%levels(l), cold, energy%into_wall, predicted)
       end do
    end subroutine solve_warm
 
    !> Change of a level's state by heat. Where it was predicted from the next coarser level, a quarter of the
    !> difference is added, the expected difference of the next finer grid.
-   pure function warming_of(level, cold, predicted) result(found)
+   pure function warming_of(level, cold, into_wall, predicted) result(found)
       type(level_t), intent(in) :: level
       type(state_t), intent(in) :: cold                    !! without heat
+      real(dp), intent(in) :: into_wall(:, 0:, 0:)         !! heat flows into both surfaces
       type(warming_t), intent(in), optional :: predicted
       type(warming_t) :: found
       found%p = level%state%p - cold%p
       found%delta = level%state%delta - cold%delta
       found%rise = level%problem%heat%rise
+      found%into_wall = into_wall
       if (.not. present(predicted)) return
       found%p = found%p + ahead*(found%p - predicted%p)
       found%delta = found%delta + ahead*(found%delta - predicted%delta)
       found%rise = found%rise + ahead*(found%rise - predicted%rise)
+      found%into_wall = found%into_wall + ahead*(found%into_wall - predicted%into_wall)
    end function warming_of
 
    !> Change on the next finer grid.
@@ -109,17 +113,25 @@ contains
       class(warming_t), intent(in) :: self
       type(grid_t), intent(in) :: coarse, fine
       type(warming_t) :: finer
-      real(dp), allocatable :: plane(:, :)
-      integer :: k
 
-      allocate (finer%p(0:fine%nx, 0:fine%ny), plane(0:fine%nx, 0:fine%ny))
-      allocate (finer%rise(lbound(self%rise, 1):ubound(self%rise, 1), 0:fine%nx, 0:fine%ny))
+      allocate (finer%p(0:fine%nx, 0:fine%ny))
       call interpolate(coarse, fine, self%p, finer%p)
       finer%delta = self%delta
-      do k = lbound(self%rise, 1), ubound(self%rise, 1)
-         call interpolate(coarse, fine, self%rise(k, :, :), plane)
-         finer%rise(k, :, :) = plane
-      end do
+      finer%rise = planes_of(self%rise)
+      finer%into_wall = planes_of(self%into_wall)
+
+   contains
+
+      function planes_of(values) result(found)
+         real(dp), intent(in) :: values(:, :, :)
+         real(dp) :: found(size(values, 1), 0:fine%nx, 0:fine%ny), plane(0:fine%nx, 0:fine%ny)
+         integer :: k
+         do k = 1, size(values, 1)
+            call interpolate(coarse, fine, values(k, :, :), plane)
+            found(k, :, :) = plane
+         end do
+      end function planes_of
+
    end function to_finer
 
    !> Change the state of a level, and its temperatures.

@@ -12,6 +12,7 @@ from studies.programs import last_line, namelist
 
 try:
     import h5py
+    import numpy as np
 except ImportError:
     h5py = None
 
@@ -105,6 +106,43 @@ def with_flow(given, flow):
         del given["lubricant"]["eyring_stress_pa"]
         given["conditions"]["slip_parameter"] = 1.02
     return given
+
+
+def warm_ball(slip, cells):
+    """Input of a sliding ball on a plane."""
+    given = wavy_point("eyring", {}, {})
+    given["conditions"]["slip_parameter"] = slip
+    given["grid"] = {"cells_x": cells, "cells_y": cells}
+    del given["waviness"]
+    return given
+
+
+def walls_by_sum(file, speeds, a):
+    """Rises of both surfaces of a ball on half a domain: heat of all cells times the kernel of a moving source, K."""
+    x, y = file["x"][:], file["y"][:]
+    h, k = (x[1] - x[0])*a, (y[1] - y[0])*a
+    conductivity, capacity = 46.0, 7850.0*470.0
+    rises = []
+    for wall, speed in enumerate(speeds, 1):
+        heat = file[f"heat_into_{wall}_w_per_m2"][...]
+        heat = heat if heat.shape == (len(y), len(x)) else heat.T
+        heat = np.concatenate([heat[:0:-1], heat])
+        kernel = np.empty((2*len(y) - 1, 2*len(x) - 1))
+        for n in range(kernel.shape[0]):
+            for m in range(1 - len(x), len(x)):
+                points = 400 if max(abs(m), n) == 0 else 60 if max(abs(m), n) < 4 else 6
+                centre = (np.arange(points) + 0.5)/points - 0.5
+                along, aside = np.meshgrid((m + centre)*h, (n + centre)*k)
+                far = np.hypot(along, aside)
+                kernel[n, m + len(x) - 1] = np.mean(np.exp(-speed*capacity/(2*conductivity)*(far - along))/far)
+        kernel *= h*k/(2*math.pi*conductivity)
+        rise = np.zeros((len(y), len(x)))
+        for j in range(len(y)):
+            for i in range(len(x)):
+                rows = np.abs(np.arange(1 - len(y), len(y)) - j)
+                rise[j, i] = np.sum(kernel[np.ix_(rows, i - np.arange(len(x)) + len(x) - 1)]*heat)
+        rises.append(rise)
+    return rises
 
 
 class Heat(TestCase):
@@ -225,6 +263,33 @@ class Heat(TestCase):
         sliding = 0.3*2.0*100*result["friction_coefficient"]
         self.assertGreater(result["heat_of_shear"], sliding)      # the flow along the pressure makes heat, too
         self.check_close(result["heat_of_shear"], sliding, 0.1, "power of shear")
+
+    @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
+    def test_walls_by_direct_sum(self):
+        """Surfaces that are fast, slow and at rest against conduction: the sum over all cells, computed apart."""
+        for slip in (1.15, 1.99, 1.999, 2.0):
+            with tempfile.TemporaryDirectory() as folder:
+                path, output = Path(folder) / "case.nml", Path(folder) / "case.h5"
+                path.write_text(namelist(warm_ball(slip, 48)))
+                result = last_line(run("case", str(path), "--json", "--output", str(output)))
+                with h5py.File(output) as file:
+                    apart = walls_by_sum(file, (2*slip, 2*(2 - slip)), result["semi_axis_a_m"])
+                    found = [file[f"rise_wall_{wall}_k"][...] for wall in (1, 2)]
+            off = []
+            for wall in (0, 1):
+                inner = np.s_[1:-1, 1:-1]
+                rise = found[wall] if found[wall].shape == apart[wall].shape else found[wall].T
+                off.append(np.max(np.abs(rise[inner] - apart[wall][inner]))/np.max(apart[wall]))
+                self.assertLess(off[wall], 0.01, f"slip {slip}, surface {wall + 1}")
+            report(f"S = {slip}: rises up to {np.max(apart[0]):.1f} and {np.max(apart[1]):.1f} K, "
+                   f"at most {off[0]:.2%} and {off[1]:.2%} of these apart")
+
+    def test_walls_over_mesh(self):
+        """Rises of slow surfaces converge at least as fast as 2.5 a halving of the mesh size."""
+        rises = [solve(**warm_ball(1.99, cells))["central_rise_wall_2_k"] for cells in (48, 96, 192)]
+        ratio = (rises[1] - rises[0])/(rises[2] - rises[1])
+        report(f"S = 1.99, central rise on 48, 96 and 192 cells: {rises}, ratio of differences {ratio:.2f}")
+        self.assertGreater(ratio, 2.5)
 
     def test_balance_under_heavy_load(self):
         """The balance covers the film under pressure alone: single nodes where it is cavitated keep some pressure."""

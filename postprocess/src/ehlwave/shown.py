@@ -1,5 +1,6 @@
 """How objects show themselves: a line of text, a table in notebooks; never their arrays."""
 
+import re
 from collections.abc import Mapping
 from html import escape
 
@@ -29,6 +30,11 @@ class Shown:
     def _repr_html_(self) -> str:
         """Return the rows as a table, for notebooks."""
         return html_table(type(self).__name__, self._shown_rows())
+
+
+def split_words(name: str) -> str:
+    """Return the words of a name such as DeepGrooveBallBearing."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower()
 
 
 def micrometres(length_m: float | None) -> str:

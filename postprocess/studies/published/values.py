@@ -3,6 +3,10 @@
 import csv
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 FOLDER = Path(__file__).parent / "data"
 
@@ -53,6 +57,13 @@ def centre_line(kind: str, instant: int, quantity: str) -> tuple[list[float], li
     if not points:
         raise KeyError(f"no {quantity}, {kind}, at instant {instant}")
     return [x for x, _ in points], [value for _, value in points]
+
+
+def rig_films() -> "pd.DataFrame":
+    """Return films of FVA 3 by Dao (2018): run, speed, temperature, load, film."""
+    import pandas as pd
+
+    return pd.read_csv(FOLDER / "dao2018.csv")
 
 
 def _rows(name: str) -> list[dict[str, str]]:

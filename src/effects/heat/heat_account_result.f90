@@ -3,7 +3,7 @@ module ehlwave_heat_account_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_carried_heat, only: carried_heat
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_energy, only: energy_t
+   use ehlwave_energy, only: energy_t, fast
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_shear_stress, only: least_pressure
    use ehlwave_state, only: state_t
@@ -35,8 +35,6 @@ module ehlwave_heat_account_result
    end type heat_account_t
 
    real(dp), parameter :: no_oil_bears = 0.15_dp    ! friction coefficient
-   !> Peclet number from which on the rise of a surface equals the fast limit within 3 % (Blok, Jaeger).
-   real(dp), parameter :: fast = 5
    ! Error by the levels: measured with 12 and 24 of them
    real(dp), parameter :: level_error = 1e-4_dp, usual_levels = 12
    integer, parameter :: level_order = 3
@@ -116,17 +114,18 @@ contains
       end do
    end function bearing_film
 
-   !> Which surface is slow against conduction along it; '' where none is.
-   function warning(self) result(text)
+   !> Surface that is slow against conduction along it, in a march that has its heat change in time; '' where none is.
+   function warning(self, is_carried) result(text)
       class(heat_account_t), intent(in) :: self
+      logical, intent(in) :: is_carried
       character(len=:), allocatable :: text
       integer :: slow
       text = ''
       slow = minloc(self%peclet, 1)
-      if (self%peclet(slow) >= fast) return
+      if (.not. is_carried .or. self%peclet(slow) >= fast) return
       text = 'surface '//to_text(slow)//' is slow, Peclet number '//to_text(self%peclet(slow), 2)//' (at least '// &
-             to_text(fast, 1)//' needed): heat that the body conducts along the motion is left out, its rise '// &
-             'is too high'
+             to_text(fast, 1)//' needed in the march): its rise changes too much as waves pass, since the change '// &
+             'is conducted into its depth alone; the steady rise is right'
    end function warning
 
    !> Report unsettled values, and the change needed.
@@ -160,17 +159,19 @@ contains
       end associate
    end function middle_of
 
-   !> Fields of rises: half-way across the film, in the mean, of surfaces 1 and 2.
+   !> Fields of rises, K: half-way across the film, in the mean, of surfaces 1 and 2; heat into these, W/m2.
    pure function warm_fields(problem, energy) result(fields)
       type(contact_problem_t), intent(in) :: problem
       type(energy_t), intent(in) :: energy
       real(dp), allocatable :: fields(:, :, :)
       associate (rise => energy%rise, nx => problem%grid%nx, ny => problem%grid%ny)
-         allocate (fields(0:nx, 0:ny, 4))
+         allocate (fields(0:nx, 0:ny, 6))
          fields(:, :, 1) = middle_of(rise)
          fields(:, :, 2) = problem%heat%mean_rise
          fields(:, :, 3) = rise(ubound(rise, 1), :, :)
          fields(:, :, 4) = rise(0, :, :)
+         fields(:, :, 5) = energy%scales%flux*energy%into_wall(1, :, :)
+         fields(:, :, 6) = energy%scales%flux*energy%into_wall(2, :, :)
       end associate
    end function warm_fields
 

@@ -38,10 +38,14 @@ contains
          else if (.not. case%is_dimensional) then
             call raise(error, '&heat needs the dimensions of the contact: give &conditions by dimensional data '// &
                '(radius_x_m, ...) in place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
-         else if (.not. (case%slip_parameter > 0 .and. case%slip_parameter < 2)) then
+         else if (abs(case%slip_parameter - 1) > 1) then
+            call raise(error, '&conditions slip_parameter = '//to_text(case%slip_parameter, 6)//' moves surfaces '// &
+               'against each other: &heat takes values from 0 to 2')
+         else if (.not. abs(case%slip_parameter - 1) < 1 .and. &
+                  (heat%follows_waves() .or. .not. case%radius_ratio_d > 0)) then
             call raise(error, '&conditions slip_parameter = '//to_text(case%slip_parameter, 6)//' has a surface at '// &
-               'rest: &heat takes surfaces that move, between 0 and 2, since a body at rest under a contact '// &
-               'grows warmer without end')
+               "rest: line contacts and wave_temperatures = 'carried' take values between 0 and 2, since a body at "// &
+               'rest under a line grows warmer without end')
          else if (oil%viscosity_law == doolittle .and. .not. &
                   max(heat%oil_expansion_per_k, abs(oil%doolittle%occupied_rate_per_k)) > 0) then
             call raise(error, "&lubricant viscosity_law = '"//doolittle//"' takes the temperature from its volume: "// &

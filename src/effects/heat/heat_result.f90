@@ -25,7 +25,7 @@ module ehlwave_heat_result
 
    type, extends(effect_result_t), public :: heat_result_t
       type(heat_account_t) :: account
-      real(dp), allocatable :: rise_k(:, :, :)       !! rises of `warm_fields`, if fields are kept
+      real(dp), allocatable :: fields(:, :, :)       !! `warm_fields`, if fields are kept
    contains
       procedure, nopass :: place
       procedure :: solve
@@ -91,7 +91,7 @@ contains
       type(case_plan_t), intent(in) :: plan
       type(grid_t), intent(in) :: grid
       character(len=:), allocatable :: text
-      text = self%account%warning()
+      text = self%account%warning(case%effects%heat%data%follows_waves())
       if (.not. (self%is_warm() .and. plan%surfaces%is_rough())) return
       if (text /= '') text = text//'; '
       text = text//wave_text(self, case)
@@ -142,20 +142,23 @@ contains
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level
       type(energy_t), intent(in) :: energy
-      if (allocated(level%problem%heat)) self%rise_k = warm_fields(level%problem, energy)
+      if (allocated(level%problem%heat)) self%fields = warm_fields(level%problem, energy)
    end subroutine take_fields
 
    subroutine write_fields(self, file)
       class(heat_result_t), intent(in) :: self
       type(hdf5_file_t), intent(inout) :: file
       character(len=*), parameter :: &
-         names(4) = [character(len=16) :: 'rise_mid_film_k', 'rise_mean_k', 'rise_wall_1_k', 'rise_wall_2_k'], &
-         of(4) = [character(len=26) :: 'half-way across the film', 'mean across the film', 'of surface 1', &
-                  'of surface 2']
+         names(6) = [character(len=22) :: 'rise_mid_film_k', 'rise_mean_k', 'rise_wall_1_k', 'rise_wall_2_k', &
+                     'heat_into_1_w_per_m2', 'heat_into_2_w_per_m2'], &
+         of(6) = [character(len=56) :: 'rise of the temperature half-way across the film', &
+                  'rise of the temperature, mean across the film', 'rise of the temperature of surface 1', &
+                  'rise of the temperature of surface 2', 'heat flow into surface 1', 'heat flow into surface 2']
       integer :: i
-      if (.not. allocated(self%rise_k)) return
+      if (.not. allocated(self%fields)) return
       do i = 1, size(names)
-         call file%write(trim(names(i)), self%rise_k(:, :, i), 'K', 'rise of the temperature '//trim(of(i)), 'x', 'y')
+         call file%write(trim(names(i)), self%fields(:, :, i), trim(merge('K   ', 'W/m2', i <= 4)), trim(of(i)), &
+                         'x', 'y')
       end do
    end subroutine write_fields
 

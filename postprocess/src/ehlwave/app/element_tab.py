@@ -21,6 +21,7 @@ from ehlwave.elements.document import ElementDocument
 from ehlwave.elements.drawing import drawing_svg
 from ehlwave.elements.report import STYLE, report_body, report_html
 from ehlwave.errors import ResultsError, printable
+from ehlwave.shown import split_words
 from ehlwave.surface.read import ReadOptions
 
 _LOG = logging.getLogger("ehlwave.app")
@@ -44,7 +45,7 @@ class ElementTab:
         """Make the fields."""
         self._pools = pools
         self._html = ""
-        names = {shown.split_words(one).capitalize(): one for one in TABS[name]}
+        names = {split_words(one).capitalize(): one for one in TABS[name]}
         self.element = select("Element", names)
         self.fields = {
             kind: [[NumberField(one) for one in part] for part in asked]

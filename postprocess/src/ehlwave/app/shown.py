@@ -11,6 +11,7 @@ from typing import Any
 from ehlwave.app.element_quantities import TABS
 from ehlwave.app.quantities import every_quantity
 from ehlwave.app.task import DOTS_PER_INCH, Answer
+from ehlwave.shown import split_words
 from ehlwave.surface.answer import answer_of
 from ehlwave.surface.narrower import narrower
 from ehlwave.surface.predict import Deformed
@@ -32,8 +33,8 @@ NAMES = {
     "minimum_m": "Minimum film",
     "central_moes": "Central film (Moes)",
     "minimum_moes": "Minimum film (Moes)",
-    "central_error": "Central error",
-    "minimum_error": "Minimum error",
+    "central_error": "Error of the central film",
+    "minimum_error": "Error of the minimum film",
     "friction": "Friction coefficient",
     "rolling_resistance": "Rolling resistance, N (line: N/m)",
     "rolling_resistance_coefficient": "Rolling resistance over load",
@@ -60,6 +61,7 @@ NAMES = {
 """Names of results on the page."""
 
 PLAIN = (
+    (r"give heat data \(heat=\)", "choose 'with heat' under Film and friction"),
     (r"\s*\(manual: [^)]*\)", ""),
     (r"\s*\(\w+=\)", ""),
     (r"^(?:Contact|Body|Oil|Heat)(?:\.\w+)?: ", ""),
@@ -291,11 +293,6 @@ def plain(message: str, labels: Mapping[str, str] | None = None) -> str:
 
     message = re.sub(r"\b[a-z][a-z0-9]*(?:_[a-z0-9]+)+\b(?!\.\w)", label, message)
     return re.sub(r"\b(?:[A-Z][a-z]+){2,}\b", lambda m: split_words(m[0]), message)
-
-
-def split_words(name: str) -> str:
-    """Return the words of a name such as DeepGrooveBallBearing."""
-    return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower()
 
 
 def failure(message: str, shown: Iterable[Any]) -> str:

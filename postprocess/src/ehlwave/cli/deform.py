@@ -112,11 +112,15 @@ def _json_text(results: list[Deformed], pair: DeformedPair | None) -> str:
 
 def _write(result: Deformed, folder: Path, writer: Writer) -> list[Path]:
     from ehlwave.results.figures import write_figure
+    from ehlwave.surface.bands_figure import removal_figure
     from ehlwave.surface.figures import deformed_figure, spectrum_figure
 
     written = write_results(result, folder, writer)
     written += write_figure(deformed_figure(result), folder, "deformed", writer=writer)
-    return written + write_figure(spectrum_figure(result), folder, "spectrum", writer=writer)
+    written += write_figure(spectrum_figure(result), folder, "spectrum", writer=writer)
+    if result.bands:
+        written += write_figure(removal_figure(result.bands), folder, "remove", writer=writer)
+    return written
 
 
 def run_surface(options: argparse.Namespace) -> None:

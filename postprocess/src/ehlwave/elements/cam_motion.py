@@ -13,6 +13,9 @@ from ehlwave.errors import SurfaceError
 
 Floats = NDArray[np.float64]
 
+ROUND_OFF = 1e-6
+"""Lift and derivatives over the base radius in a dwell, as far as lift tables have digits."""
+
 
 def periodic(angle_deg: ArrayLike, lift_m: ArrayLike, name: str) -> Any:  # noqa: ANN401
     """Return the lift over the angle in rad as a periodic cubic spline.
@@ -53,7 +56,10 @@ class CamMotion:
 
     def _state(self, angle_deg: ArrayLike) -> tuple[Floats, Floats, Floats]:
         turn = np.radians(np.asarray(angle_deg, dtype=np.float64))
-        return self._lift(turn), self._lift(turn, 1), self._lift(turn, 2)
+        states = (self._lift(turn, order) for order in range(3))
+        smallest = ROUND_OFF * self.base_radius_m
+        lift, first, second = (np.where(np.abs(one) > smallest, one, 0.0) for one in states)
+        return lift, first, second
 
     def _turned(self, angle_deg: ArrayLike) -> tuple[Floats, Floats]:
         """Return, of a roller, the radius of its pitch curve and the turn of the normal."""

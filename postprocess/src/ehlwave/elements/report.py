@@ -13,18 +13,44 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from ehlwave.elements.columns import COLUMNS, TEXTS
+from ehlwave.elements.columns import TEXTS
 from ehlwave.elements.figure import element_figure
-from ehlwave.elements.formulas import FORMULAS
+from ehlwave.elements.formulas import FORMULAS, heading, written
+from ehlwave.shown import split_words
 
 DOTS_PER_INCH = 130
+SUMMARY = (
+    *("rolling_power_w", "rolling_power_error", "sliding_power_w", "efficiency"),
+    *("kappa_iso_281", "reversals_deg", "opposite_speeds_deg"),
+)
+"""Numbers of an element that the text has."""
+
 STYLE = (
     "body{font:15px/1.45 sans-serif;max-width:62em;margin:2em auto;padding:0 1em;color:#223}"
     "table{border-collapse:collapse;font-size:12.5px}td,th{padding:2px 7px;text-align:right;"
     "border-bottom:1px solid #dde}th{color:#345;text-align:left}caption{text-align:left;"
     "font-weight:600;padding:.8em 0 .2em}img{max-width:100%}.wide{overflow-x:auto}"
+    ".text{text-align:left}th a{color:inherit;text-decoration-style:dotted}"
     ".note{background:#fff6e0;padding:.4em .8em}"
 )
+
+
+SOURCES = (
+    "Names above lead to these lines. The manual derives the formulas: Machine elements for loads, "
+    "radii and speeds; Theory for film, friction and deformed roughness; Stress for fatigue."
+)
+"""Text above the formulas."""
+
+
+def title(table: xr.Dataset) -> str:
+    """Return the plain name of an element.
+
+    Parameters
+    ----------
+    table : xarray.Dataset
+        Of the element.
+    """
+    return split_words(str(table.attrs["element"])).capitalize()
 
 
 def report_text(table: xr.Dataset) -> str:
@@ -35,19 +61,13 @@ def report_text(table: xr.Dataset) -> str:
     table : xarray.Dataset
         Of an element.
     """
-    lines = [str(table.attrs["element"])]
+    lines = [title(table)]
     lines += [f"  {part}" for part in str(table.attrs["worst"]).split("; ") if part]
-    for name, words in (
-        ("rolling_power_w", "rolling power, W"),
-        ("rolling_power_error", "relative error of the rolling power"),
-        ("sliding_power_w", "sliding power, W"),
-        ("efficiency", "efficiency"),
-        ("kappa_iso_281", "kappa of ISO 281"),
-        ("reversals_deg", "entrainment reversed at, degrees"),
-        ("opposite_speeds_deg", "surfaces in opposite directions at, degrees"),
-    ):
-        if name in table.attrs:
-            lines.append(f"  {words}: {_written(table.attrs[name])}")
+    lines += [
+        f"  {heading(name)}: {written(name, table.attrs[name])}"
+        for name in SUMMARY
+        if name in table.attrs
+    ]
     left = int(table.attrs["unanswered_places"])
     if left:
         lines.append(f"  {left} of {table['load_n'].size} places have no film")
@@ -107,7 +127,7 @@ def report_html(table: xr.Dataset, inputs: str = "", drawing_svg: str = "") -> s
     drawing_svg : str
         Drawing of the element.
     """
-    name = str(table.attrs["element"])
+    name = title(table)
     given = f"<h2>Input</h2><pre>{escape(inputs)}</pre>" if inputs else ""
     return (
         f"<!doctype html><html lang='en'><head><meta charset='utf-8'><title>{name}</title>"
@@ -124,7 +144,7 @@ def report_body(table: xr.Dataset) -> str:
     table : xarray.Dataset
         Of an element.
     """
-    name = str(table.attrs["element"])
+    name = title(table)
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     file = io.BytesIO()
@@ -137,23 +157,25 @@ def report_body(table: xr.Dataset) -> str:
     )
     notes = "".join(f"<p class='note'>{escape(text)}</p>" for text in reasons(table))
     notes += "".join(f"<p class='note'>{escape(text)}</p>" for text in _kinds(table, "doubts"))
+    numbers = [str(key) for key in table.attrs if key not in ("worst", "element")]
     attributes = "".join(
-        f"<tr><th>{escape(key)}</th><td style='text-align:left'>{escape(_written(value))}</td></tr>"
-        for key, value in table.attrs.items()
-        if key != "worst"
+        f"<tr><th>{_linked(key)}</th>"
+        f"<td class='text'>{escape(written(key, table.attrs[key]))}</td></tr>"
+        for key in numbers
     )
+    names = dict.fromkeys([*_rows(table), *numbers])
     formulas = "".join(
-        f"<tr><th>{escape(key)}</th><td style='text-align:left'>{escape(text)}</td></tr>"
-        for key, text in FORMULAS.items()
-        if key in table
+        f"<tr id='{key}'><th>{escape(FORMULAS[key].label)}</th>"
+        f"<td class='text'>{escape(FORMULAS[key].formula)}</td></tr>"
+        for key in names
     )
     return (
         f"<h2>Worst places</h2><ul>{worst}</ul><h2>Figures</h2>"
-        f"<p>Bands are relative errors.</p><img alt='{name}' "
+        f"<p>Bands are errors.</p><img alt='{name}' "
         f"src='data:image/png;base64,{picture}'><h2>Not answered, or doubtful</h2>"
         f"{notes or '<p>Nothing.</p>'}<h2>Numbers of the element</h2><table>{attributes}</table>"
         f"<h2>Numbers of each place</h2><div class='wide'>{_html_table(table)}</div>"
-        f"<h2>Where the numbers come from</h2><table>{formulas}</table>"
+        f"<h2>Where the numbers come from</h2><p>{SOURCES}</p><table>{formulas}</table>"
     )
 
 
@@ -164,23 +186,28 @@ def _html_table(table: xr.Dataset) -> str:
     for ring in rings:
         part = table if ring is None else table.sel(ring=ring)
         rows = []
-        names = [*(str(one) for one in part.coords if one != "ring"), *map(str, part.data_vars)]
-        for name in names:
-            if name in TEXTS:
-                continue
-            unit = COLUMNS[name].unit if name in COLUMNS else str(part[name].attrs.get("units", ""))
-            cells = "".join(f"<td>{_written(value)}</td>" for value in part[name].values.tolist())
-            head = f"{name} [{unit}]" if unit else name
-            rows.append(f"<tr><th>{escape(head)}</th>{cells}</tr>")
+        for name in _rows(part):
+            values = np.atleast_1d(part[name].values).tolist()
+            cells = "".join(f"<td>{escape(written(name, value))}</td>" for value in values)
+            rows.append(f"<tr><th>{_linked(name)}</th>{cells}</tr>")
         caption = f"<caption>{ring} ring</caption>" if ring else ""
         parts.append(f"<table>{caption}{''.join(rows)}</table>")
     return "".join(parts)
 
 
-def _written(value: Any) -> str:  # noqa: ANN401
-    if isinstance(value, float):
-        return f"{value:.4g}" if math.isfinite(value) else ("-" if math.isnan(value) else "inf")
-    return str(value)
+def _rows(table: xr.Dataset) -> list[str]:
+    """Return coordinates and columns with numbers, as they are printed."""
+    names = [*(str(one) for one in table.coords if one != "ring"), *map(str, table.data_vars)]
+    return [name for name in names if name not in TEXTS and not _is_empty(table[name].values)]
+
+
+def _is_empty(values: Any) -> bool:  # noqa: ANN401
+    return bool(np.isnan(values).all())
+
+
+def _linked(name: str) -> str:
+    """Return the heading of a number, a link to its formula."""
+    return f"<a href='#{name}'>{escape(heading(name))}</a>"
 
 
 def _strings(attributes: dict[Any, Any]) -> dict[str, str]:

@@ -10,6 +10,7 @@ import xarray as xr
 
 from ehlwave.elements.answers import Questions, Row, row_of
 from ehlwave.elements.columns import COLUMNS, TEXTS
+from ehlwave.elements.formulas import FORMULAS, written
 from ehlwave.elements.place import ElementContact
 
 WORST = {
@@ -34,14 +35,6 @@ ERRORS = {
     "friction": "friction_error",
 }
 """Columns of relative errors by the column that they are of."""
-
-
-COORDINATES = {
-    "angle_deg": "angle in degrees",
-    "distance_m": "distance in m",
-    "pinion_angle_deg": "pinion angle in degrees",
-    "speed_m_per_s": "speed in m/s",
-}
 
 
 def table_of(
@@ -106,9 +99,7 @@ def worst_places(table: xr.Dataset) -> dict[str, str]:
         at = values.isel(index)
         if choose is max and float(at) == 0:
             continue
-        where = ", ".join(
-            f"{_coordinate(str(key))} {_written(value.item())}" for key, value in at.coords.items()
-        )
+        where = ", ".join(_place(str(key), value.item()) for key, value in at.coords.items())
         value = f"{words} {float(at) * factor:.4g} {unit}".rstrip()
         said[name] = f"{value}{_within(table, name, index)} at {where}"
     return said
@@ -139,9 +130,7 @@ def _number(value: Any) -> float:  # noqa: ANN401
     return float("nan") if value is None else float(value)
 
 
-def _coordinate(name: str) -> str:
-    return COORDINATES.get(name, name)
-
-
-def _written(value: Any) -> str:  # noqa: ANN401
-    return value if isinstance(value, str) else f"{value:.4g}"
+def _place(name: str, value: Any) -> str:  # noqa: ANN401
+    """Return a coordinate in words."""
+    entry = FORMULAS[name]
+    return f"{entry.label} {written(name, value)} {entry.unit}".rstrip()

@@ -14,6 +14,7 @@ from ehlwave.errors import ArgumentError, ExtrapolationWarning, ProgramError, Ra
 from ehlwave.identify.measurements import TEMPERATURE
 from ehlwave.inputs.key_classes import HEAT_DATA
 from ehlwave.inputs.key_table import KEYS
+from ehlwave.laws.slopes import COARSE, FINE, Answer, slopes_of
 from ehlwave.operating_point import contact_of
 
 Keys = Mapping[str, Any]
@@ -21,8 +22,6 @@ Keys = Mapping[str, Any]
 VISCOSITY, DECAY = "viscosity_pa_s", "viscosity_temperature_per_k"
 WAVES = ("wavelength_over_a", "orientation")
 NOT_OF_LAWS = ("cells_x", "cells_y", "accuracy", "sensitivities", "tolerance", *WAVES)
-STEP = 1e-3
-"""Step of ln(key) in differences of laws, whose numbers are smooth to single precision."""
 USABLE = ("converged", "unresolved", "inaccurate")
 CELLS, LINE_CELLS = 128, 512
 """Cells of computed contacts whose input has none."""
@@ -43,6 +42,11 @@ def at_temperature(keys: Keys, reference_k: float | None) -> dict[str, Any]:
 
 def by_laws(keys: Keys, result: str) -> float:
     """Return the logarithm of a result by the laws; raises RangeError where none holds."""
+    return _law_answer(keys, result)[0]
+
+
+def _law_answer(keys: Keys, result: str) -> tuple[float, str]:
+    """Return it with its source."""
     given = {key: value for key, value in keys.items() if key not in NOT_OF_LAWS}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ExtrapolationWarning)
@@ -50,7 +54,7 @@ def by_laws(keys: Keys, result: str) -> float:
         if result == "harmonic_ratio":
             angle = 90.0 if str(keys.get("orientation")) == "longitudinal" else 0.0
             response = contact.response(float(keys["wavelength_over_a"]), angle, by="laws")
-            return math.log(abs(response.film))
+            return math.log(abs(response.film)), response.source
         film = contact.film("laws")
     found = {
         "central_film_m": film.central_m,
@@ -59,7 +63,7 @@ def by_laws(keys: Keys, result: str) -> float:
     }[result]
     if not found:
         raise RangeError(f"no law has {result} of this contact")
-    return math.log(abs(found))
+    return math.log(abs(found)), film.source.split(",")[0]
 
 
 def by_program(keys: Keys, result: str) -> tuple[float, dict[str, float]]:
@@ -138,15 +142,19 @@ class Model:
         return value, [slopes.get(key, 0.0) for key in self.parameters]
 
     def _laws(self, keys: Keys, result: str) -> tuple[float, list[float]]:
-        def value(changed: Keys) -> float:
-            return by_laws(at_temperature(changed, self.reference_k), result)
+        step = COARSE if result == "harmonic_ratio" else FINE
 
-        middle, slopes = value(keys), []
-        for key in self.parameters:
-            ends = [value({**keys, key: keys[key] * math.exp(side * STEP)}) for side in (1, -1)]
-            slopes.append((ends[0] - ends[1]) / (2 * STEP))
+        def slope(key: str) -> float:
+            def at(change: float) -> Answer:
+                changed = {**keys, key: keys[key] * math.exp(change)} if change else keys
+                value, source = _law_answer(at_temperature(changed, self.reference_k), result)
+                return {result: value}, source
+
+            return slopes_of(at, step)[result]
+
+        middle = by_laws(at_temperature(keys, self.reference_k), result)
         self.sources.add("laws")
-        return middle, slopes
+        return middle, [slope(key) for key in self.parameters]
 
 
 def check_parameter(key: str, words: Mapping[str, str]) -> str:

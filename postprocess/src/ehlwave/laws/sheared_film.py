@@ -2,7 +2,7 @@
 
 The film has a uniform thickness. Without convection and pressure gradients, a film whose viscosity
 falls as exp(-beta theta) has a closed form, (T8) of ``src/theory.md``; surfaces are warmed by the
-heat that passed before, (T7). Friction is the integral of the stress over the load.
+heat that passed before, (T16). Friction is the integral of the stress over the load.
 """
 
 from dataclasses import dataclass

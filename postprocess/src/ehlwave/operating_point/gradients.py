@@ -10,6 +10,7 @@ import pandas as pd
 
 from ehlwave.contact.data_errors import OF_ERRORS
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
+from ehlwave.laws.slopes import COARSE, FINE, Answer, slopes_of
 
 if TYPE_CHECKING:
     from ehlwave.laws.answers import Film
@@ -24,8 +25,6 @@ PROGRAM_RESULTS = {
 """Results by their names in the program."""
 
 LAMBDA = "lambda_ratio"
-STEP = 1e-3
-"""Step of ln(key) in differences of laws."""
 DEFAULTS = {"pressure_viscosity_per_pa": 2.2e-8, "roelands_index": 0.68}
 KEYS = (
     *("radius_x_m", "radius_y_m", "reduced_modulus_pa", "load_n", "load_n_per_m"),
@@ -34,8 +33,6 @@ KEYS = (
     *("roelands_index", "eyring_stress_pa", "oil_over_flooded"),
 )
 CELLS, LINE_CELLS = 128, 512
-
-Results = Mapping[str, float]
 
 
 def sensitivities(contact: "SmoothContact", by: str | None = None) -> pd.DataFrame:
@@ -69,10 +66,10 @@ def error_budget(
     if surface is not None:
         keys = _keys(contact)
 
-        def ratio(other: Any) -> Results:  # noqa: ANN401 - a Contact
-            return {LAMBDA: other.lambda_ratio(surface, **options)}
+        def ratio(other: Any) -> Answer:  # noqa: ANN401 - a Contact
+            return {LAMBDA: other.lambda_ratio(surface, **options)}, "responses"
 
-        powers[LAMBDA] = [_slope(contact, key, keys[key], ratio)[LAMBDA] for key in errors]
+        powers[LAMBDA] = [_slope(contact, key, keys[key], ratio, COARSE)[LAMBDA] for key in errors]
     table = pd.DataFrame({"error": errors})
     for name in powers:
         if powers[name].notna().any():
@@ -105,37 +102,33 @@ def _keys(contact: "SmoothContact") -> dict[str, float]:
 
 
 def _slope(
-    contact: "SmoothContact", key: str, value: float, results: Callable[["SmoothContact"], Results]
+    contact: "SmoothContact",
+    key: str,
+    value: float,
+    answer: Callable[["SmoothContact"], Answer],
+    step: float = FINE,
 ) -> dict[str, float]:
-    """Return d ln(result)/d ln(key) of all results, to one side where the other has no answer."""
-    ends: dict[int, Results] = {}
+    """Return d ln(result)/d ln(key) of all results."""
+
+    def at(change: float) -> Answer:
+        other = contact.replace(**{key: value * math.exp(change)}) if change else contact
+        numbers, source = answer(other)
+        logs = {name: math.log(abs(one)) if one else math.nan for name, one in numbers.items()}
+        return logs, source
+
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ExtrapolationWarning)
-        for side in (1, -1):
-            try:
-                ends[side] = results(contact.replace(**{key: value * math.exp(side * STEP)}))
-            except (RangeError, SurfaceError):
-                continue
-        if not ends:
-            raise RangeError(f"no law holds beside {key} = {value:g}")
-        if len(ends) == 1:
-            ends[0] = results(contact)
-    (first, low), (last, high) = sorted(ends.items())
-    return {
-        name: math.log(abs(high[name] / low[name])) / ((last - first) * STEP)
-        if high[name] and low[name]
-        else math.nan
-        for name in low
-    }
+        return slopes_of(at, step)
 
 
-def _by_laws(contact: "SmoothContact") -> Results:
+def _by_laws(contact: "SmoothContact") -> Answer:
     film: Film = contact._film("laws")
     in_metres = film.central_m is not None
     central = film.central_m if in_metres else film.central_moes
     minimum = film.minimum_m if in_metres else film.minimum_moes
     found = {"central_film": central, "minimum_film": minimum, "friction": film.friction}
-    return {name: math.nan if value is None else value for name, value in found.items()}
+    numbers = {name: math.nan if value is None else value for name, value in found.items()}
+    return numbers, film.source.split(",")[0]  # the factor of a starved film follows
 
 
 def _by_program(contact: "SmoothContact", keys: Mapping[str, float]) -> dict[str, dict[str, float]]:

@@ -8,7 +8,6 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 from matplotlib.figure import Figure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
 from numpy.typing import NDArray
 
 from ehlwave.inputs.effective_input import keys_of_input
@@ -16,7 +15,12 @@ from ehlwave.results.case_file import central_film, check_field, number, positiv
 from ehlwave.results.figures import COLOURS
 from ehlwave.results.instants import at_instant
 from ehlwave.results.map_panel import bar_beside, rolling_arrow
-from ehlwave.results.scales_of_figures import aspect_note, readable_aspect
+from ehlwave.results.scales_of_figures import (
+    COLUMN,
+    LINE_COLUMN,
+    aspect_note,
+    readable_aspect,
+)
 
 Floats = NDArray[np.float64]
 
@@ -98,18 +102,19 @@ def case_figure(case: xr.Dataset, time: float | None = None) -> Figure:
         check_field(case, "film_at_centre", ("time",))
     with rc_context(STYLE):
         if is_line:
-            size = (11.0 if has_heat else 7.6, 3.0)
-            figure = Figure(figsize=size, layout=ConstrainedLayoutEngine(w_pad=0.15))
-            lengthwise, *more, history = figure.subplots(1, 3 if has_heat else 2)
+            rows = 3 if has_heat else 2
+            figure = Figure(figsize=(LINE_COLUMN, 2.5 * rows), layout="constrained")
+            lengthwise, *more, history = figure.subplots(rows, 1)
         else:
-            size = (13.6 if has_heat else 10.6, 5.6)
-            figure = Figure(figsize=size, layout=ConstrainedLayoutEngine(w_pad=0.15))
-            upper, lower = figure.subplots(2, 4 if has_heat else 3)
-            (film_map, pressure_map, history), (lengthwise, crosswise, spare) = upper[:3], lower[:3]
-            more = [lower[3]] if has_heat else []
+            rows = 4 if has_heat else 3
+            figure = Figure(figsize=(COLUMN, 2.3 * rows + 0.3), layout="constrained")
+            (film_map, pressure_map), (lengthwise, crosswise), (spare, history), *last = (
+                figure.subplots(rows, 2)
+            )
+            more = [last[0][1]] if has_heat else []
             if has_heat:
-                draw_map(upper[3], case["rise_mid_film_k"], units, 1, "inferno")
-                upper[3].set_title("rise half-way across the film [K]")
+                draw_map(last[0][0], case["rise_mid_film_k"], units, 1, "inferno")
+                last[0][0].set_title("rise half-way across the film [K]")
             most = FILM_SHOWN * central_film(case) * units.film
             draw_map(film_map, case["film"], units, units.film, most=most)
             rolling_arrow(film_map)
@@ -202,7 +207,7 @@ def _draw_rises(axes: Axes, case: xr.Dataset, units: Units) -> None:
         axes.plot(line["x"].values * units.x, line[name].values, label=label)
     axes.set_xlim(*(units.x * np.clip([line["x"].min(), line["x"].max()], -REACH, REACH)))
     axes.set(xlabel=units.names[0], ylabel="rise [K]", title="temperature, $y = 0$")
-    axes.legend(frameon=False, fontsize=7)
+    axes.legend(frameon=False)
 
 
 def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
@@ -222,10 +227,10 @@ def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
     if "instant" in case:
         instant = float(case["instant"]) * scale
         axes.axvline(instant, color=COLOURS[1], linewidth=0.9, label="instant of the maps")
-    axes.set_ylim(low - 0.08 * (high - low), high + 0.55 * (high - low))
+    axes.set_ylim(low - 0.08 * (high - low), high + 0.9 * (high - low))
     axes.set(xlabel=units.names[4], ylabel=units.names[2], title="film at the centre in time")
     axes.margins(x=0)
-    axes.legend(loc="upper left", edgecolor="none", framealpha=0.9, fontsize=7, ncols=2)
+    axes.legend(loc="upper left", edgecolor="none", framealpha=0.9)
 
 
 def undeformed_history(case: xr.Dataset) -> Floats | None:

@@ -37,5 +37,5 @@ def rolling_arrow(axes: Axes) -> None:
         arrowprops={"arrowstyle": "-|>", "color": "white", "lw": 1.2, "path_effects": outline},
     )
     arrow.set_in_layout(False)
-    place = {"transform": axes.transAxes, "va": "center", "color": "white", "fontsize": 7}
+    place = {"transform": axes.transAxes, "va": "center", "color": "white", "fontsize": 8}
     axes.text(0.26, 0.055, "rolling", path_effects=outline, **place)

@@ -1,4 +1,10 @@
-"""Scales of maps: equal along both axes, unless the map would become a sliver."""
+"""Widths of figures, and scales of maps: equal along both axes, unless the map becomes a sliver."""
+
+COLUMN = 5.6
+"""Width of figures with two panels in a row, inches: labels have 5 pt in a column of 87 mm."""
+
+LINE_COLUMN = 4.4
+"""Width of figures with a single panel in a row, inches."""
 
 SLENDER = 2.0
 """Longest side over the other, up to which both axes have one scale."""

@@ -11,7 +11,12 @@ from numpy.typing import NDArray
 
 from ehlwave.results.figures import COLOURS
 from ehlwave.results.map_panel import bar_beside, rolling_arrow
-from ehlwave.results.scales_of_figures import aspect_note, readable_aspect
+from ehlwave.results.scales_of_figures import (
+    COLUMN,
+    LINE_COLUMN,
+    aspect_note,
+    readable_aspect,
+)
 from ehlwave.stress.centre import contact_fields
 from ehlwave.stress.criteria import von_mises
 from ehlwave.stress.dang_van import PRESSURE_COEFFICIENT, Path, fatigue_shear
@@ -60,7 +65,7 @@ def section_figure(
     line = field.isel(y=row)
     deep = int(np.argmax(line.max("x").values))
     with rc_context(STYLE):
-        size, ratios = ((5.2, 4.6), (1, 1.5)) if is_line else ((8.6, 6.4), (1, 1))
+        size, ratios = ((LINE_COLUMN, 4.4), (1, 1.5)) if is_line else ((COLUMN, 4.6), (1, 1))
         figure = Figure(figsize=size, layout="constrained")
         axes = figure.subplots(2, 1 if is_line else 2, squeeze=False, height_ratios=ratios)
         x = stress["x"].values * scale
@@ -109,8 +114,8 @@ def predicted_section(result: RoughStress) -> Figure:
 def depth_figure(result: RoughStress) -> Figure:
     """Draw Dang Van's factor over depth, rough beside smooth, and the paths of the worst points."""
     with rc_context(STYLE):
-        figure = Figure(figsize=(8.6, 3.4), layout="constrained")
-        over_depth, plane = figure.subplots(1, 2)
+        figure = Figure(figsize=(LINE_COLUMN, 6.4), layout="constrained")
+        over_depth, plane = figure.subplots(2, 1)
         for body, line in zip(result.bodies, LINES, strict=False):
             depth = body.risk["z"].values * UM
             values = body.risk.values
@@ -126,7 +131,7 @@ def depth_figure(result: RoughStress) -> Figure:
         )
         over_depth.set(xlabel="Dang Van's factor", ylabel=r"depth $z$ [$\mu$m]", xlim=(0, None))
         over_depth.invert_yaxis()
-        over_depth.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
+        over_depth.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1))
         _limit_line(plane, float(fatigue_shear(result.cycles)))
         plane.set(
             xlabel=r"hydrostatic stress $\sigma_H$ [MPa]", ylabel=r"shear stress $\tau$ [MPa]"
@@ -138,8 +143,8 @@ def depth_figure(result: RoughStress) -> Figure:
 def ripple_figure(result: RoughStress) -> Figure:
     """Draw the largest shear of the ripple alone over depth, and the ripple of the pressure."""
     with rc_context(STYLE):
-        figure = Figure(figsize=(8.6, 2.9), layout="constrained")
-        profile, over_depth = figure.subplots(1, 2, width_ratios=(1.7, 1))
+        figure = Figure(figsize=(LINE_COLUMN, 5.2), layout="constrained")
+        profile, over_depth = figure.subplots(2, 1)
         for surface, ripple, colour in zip(result.surfaces, result.ripples, COLOURS, strict=False):
             pressure = ripple.pressure()[: ripple.measured]
             along = ripple.moves

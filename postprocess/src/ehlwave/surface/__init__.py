@@ -29,6 +29,7 @@ from ehlwave.surface.surface import Surface, map_surface, trace_surface
 from ehlwave.surface.two_surfaces import FilmOfTwo, film_of_two
 
 if TYPE_CHECKING:
+    from ehlwave.surface.bands_figure import removal_figure
     from ehlwave.surface.figures import deformed_figure, spectrum_figure
 
 __all__ = [
@@ -62,6 +63,7 @@ __all__ = [
     "read_conditions",
     "read_surface",
     "read_table",
+    "removal_figure",
     "report_json",
     "report_text",
     "roughness_parameters",
@@ -79,4 +81,6 @@ def __getattr__(name: str) -> Any:  # noqa: ANN401
     """Import plotting on first use: it needs an extra."""
     if name in ("deformed_figure", "spectrum_figure"):
         return getattr(load("ehlwave.surface.figures"), name)
+    if name == "removal_figure":
+        return load("ehlwave.surface.bands_figure").removal_figure
     raise AttributeError(f"module 'ehlwave.surface' has no attribute {name!r}")

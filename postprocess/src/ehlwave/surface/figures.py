@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from ehlwave.choices import Window
 from ehlwave.contact.conditions import Conditions
-from ehlwave.results.scales_of_figures import aspect_note, readable_aspect
+from ehlwave.results.scales_of_figures import COLUMN, aspect_note, readable_aspect
 from ehlwave.surface.prepare import judged_part
 from ehlwave.surface.spectrum import Spectrum
 from ehlwave.surface.surface import Heights, Surface
@@ -17,7 +17,7 @@ from ehlwave.surface.surface import Heights, Surface
 UM = 1e6
 BEFORE, AFTER = "0.55", "#0072B2"
 MOST_PIXELS = 1024
-_STYLE: dict[Any, Any] = {"font.size": 8.5, "axes.labelsize": 9, "legend.fontsize": 8}
+STYLE: dict[Any, Any] = {"font.size": 8.5, "axes.labelsize": 9, "legend.fontsize": 8}
 
 
 class Drawn(Protocol):
@@ -54,9 +54,9 @@ def deformed_figure(result: Drawn) -> Figure:
     matplotlib.figure.Figure
         Lengths and heights in um.
     """
-    with rc_context(_STYLE):
+    with rc_context(STYLE):
         if result.surface.is_trace:
-            figure = Figure(figsize=(6.4, 4.6), layout="constrained")
+            figure = Figure(figsize=(COLUMN, 4.4), layout="constrained")
             whole, detail = figure.subplots(2, 1)
             _draw_line(whole, result, None)
             _draw_line(detail, result, 1.0)
@@ -86,7 +86,7 @@ def spectrum_figure(result: Drawn) -> Figure:
         )
         if spectra[letter].waves.size > 1
     ]
-    with rc_context(_STYLE):
+    with rc_context(STYLE):
         figure = Figure(figsize=(3.4 * len(panels) + 0.4, 3.2), layout="constrained")
         all_axes = figure.subplots(1, len(panels), squeeze=False, sharey=True)[0]
         for axes, (letter, text, spectrum, semi_axis) in zip(all_axes, panels, strict=True):

@@ -37,6 +37,8 @@ class Committee:
     centre: Floats
     scatter: Floats
     layers: Layers
+    precision: type[np.floating] = np.float32
+    """`precision`: of the values of layers; double: smooth enough for small differences."""
 
     def __repr__(self) -> str:
         """Return how many networks there are, and their size."""
@@ -45,7 +47,7 @@ class Committee:
 
     def __call__(self, places: Floats) -> Floats:
         """Return the outputs at places, shape (n, inputs): shape (n, outputs)."""
-        hidden = ((places - self.centre) / self.scatter).astype(np.float32)
+        hidden = ((places - self.centre) / self.scatter).astype(self.precision)
         return np.asarray(outputs_of(self.layers, hidden)[-1].mean(axis=0), dtype=float)
 
 

@@ -1,5 +1,9 @@
 """The networks of an atlas, and the kind of contacts that they are for."""
 
+from dataclasses import replace
+
+import numpy as np
+
 from ehlwave.laws.atlas.kind import Kind
 from ehlwave.laws.atlas.stored import Stored, committee_of, errors_of
 
@@ -19,7 +23,7 @@ class Networks:
         """Take the networks."""
         self.data = data
         self.kind = kind
-        self.films = committee_of(data, "films")
+        self.films = replace(committee_of(data, "films"), precision=np.float64)
         """Return the films that the kind names, by the coordinates of contacts."""
         self.waves = committee_of(data, "waves")
         """Numbers of waves, by their coordinates after the coordinates of their contacts."""
