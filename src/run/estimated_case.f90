@@ -11,7 +11,7 @@ module ehlwave_estimated_case
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
-   use ehlwave_mesh_errors, only: mesh_error, mesh_error_t
+   use ehlwave_mesh_errors, only: kind_of, mesh_error, mesh_error_t
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_resolution, only: telling_inlet, telling_points_per_wave, times_as_wide
@@ -93,7 +93,7 @@ contains
       largest = 0
       do n = 1, size(ratios, 1)
          if (.not. ieee_is_finite(ratios(n, 1))) cycle
-         error = mesh_error(amplitude_ratio, plan%is_fitted, ratios(n, :), &
+         error = mesh_error(amplitude_ratio, kind_of(plan%is_fitted, plan%conditions%is_line()), ratios(n, :), &
                             plan%expected_ratio_mesh_error(result%central_film))
          largest = max(largest, error%relative)
          result%amplitude_error_basis = error%basis

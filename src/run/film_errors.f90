@@ -9,7 +9,7 @@ module ehlwave_film_errors
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: hierarchy_t, level_t
    use ehlwave_kinds, only: dp, no_value
-   use ehlwave_mesh_errors, only: mesh_error, mesh_error_t, observed_order
+   use ehlwave_mesh_errors, only: kind_of, mesh_error, mesh_error_t, observed_order
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_shear_stress, only: friction_at, friction_outside
    implicit none (type, external)
@@ -34,14 +34,15 @@ contains
       type(mesh_error_t) :: central, smallest
       real(dp) :: order                              ! of errors by the mesh
       real(dp) :: steeper                            ! inlet, over the inlet without effects
-      integer :: n
+      integer :: kind, n
 
       n = size(multigrid%levels)
+      kind = kind_of(plan%is_fitted, plan%conditions%is_line())
       order = merge(1.0_dp, 2.0_dp, plan%effects%are_first_order())
       steeper = result%effects%error_factor()*(1 + result%effects%steepening(result%central_film))
       associate (levels => multigrid%levels(n:1:-1), expected => steeper*plan%expected_film_mesh_error())
-         central = mesh_error(central_film, plan%is_fitted, levels%central_film, expected, order)
-         smallest = mesh_error(smallest_film, plan%is_fitted, levels%minimum_film, expected, order)
+         central = mesh_error(central_film, kind, levels%central_film, expected, order)
+         smallest = mesh_error(smallest_film, kind, levels%minimum_film, expected, order)
          result%central_film_error = central%relative
          result%film_error_basis = central%basis
          result%film_order = observed_order(levels%central_film)
@@ -98,7 +99,7 @@ contains
       ! the sum of the stresses has the averaged error with either scheme
       expected = steeper*plan%thinning%steepness*expected_film_error(plan%conditions, plan%hx) &
                  + spike_growth(levels, values(1))
-      error = mesh_error(friction, plan%is_fitted, values, expected, order)
+      error = mesh_error(friction, kind_of(plan%is_fitted, plan%conditions%is_line()), values, expected, order)
       result%friction_error = error%relative
       if (result%shear%cancellation > 1/epsilon(1.0_dp)) return
       result%friction_error = max(result%friction_error, tolerance*result%shear%cancellation)

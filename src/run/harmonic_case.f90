@@ -10,7 +10,7 @@ module ehlwave_harmonic_case
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, mean_change_t
-   use ehlwave_mesh_errors, only: mesh_error, mesh_error_t
+   use ehlwave_mesh_errors, only: kind_of, mesh_error, mesh_error_t
    use ehlwave_pair_responses, only: take_pair_responses
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_sensitivity_case, only: find_response_sensitivities
@@ -133,7 +133,8 @@ contains
          both = abs(fit%attenuated) + abs(fit%complementary)
       end associate
       if (size(films) == 1 .and. ieee_is_finite(both)) expected = expected*max(1.0_dp, both/harmonic%ratio)
-      error = mesh_error(of_response, plan%is_fitted, films, expected, order_of_response(plan, result))
+      error = mesh_error(of_response, kind_of(plan%is_fitted, plan%conditions%is_line()), films, expected, &
+                         order_of_response(plan, result))
       harmonic%error = max(error%relative, result%central_film_error*approach/harmonic%ratio) &
                        + result%effects%film_error()
       harmonic%error_basis = error%basis

@@ -8,7 +8,7 @@ module ehlwave_mesh_errors
    use ehlwave_kinds, only: dp, no_value
    implicit none (type, external)
    private
-   public :: mesh_error, observed_order, richardson_error
+   public :: kind_of, mesh_error, observed_order, richardson_error
 
    real(dp), parameter :: model_share = 0.3_dp     !! of the expected error: grids can agree by chance
    real(dp), parameter :: formal_order = 2
@@ -25,31 +25,35 @@ module ehlwave_mesh_errors
 
 contains
 
+   !> Column of the table: scheme of the Reynolds equation, and shape of the contact.
+   elemental integer function kind_of(is_fitted, is_line) result(kind)
+      logical, intent(in) :: is_fitted, is_line
+      kind = merge(3, 1, is_fitted) + merge(1, 0, is_line)
+   end function kind_of
+
    !> Relative error of values(1).
-   pure type(mesh_error_t) function error_of_real(quantity, is_fitted, values, expected, order) result(error)
+   pure type(mesh_error_t) function error_of_real(quantity, kind, values, expected, order) result(error)
       integer, intent(in) :: quantity              !! row of the table
-      logical, intent(in) :: is_fitted             !! scheme: column of the table
+      integer, intent(in) :: kind                  !! column of the table, see `kind_of`
       real(dp), intent(in) :: values(:)            !! on meshes h, 2h, 4h: the finest first; NaN where not solved
       real(dp), intent(in) :: expected             !! relative error by the model
       real(dp), intent(in), optional :: order      !! of the error in the mesh size; absent: 2
-      error = error_of_complex(quantity, is_fitted, cmplx(values, kind=dp), expected, order)
+      error = error_of_complex(quantity, kind, cmplx(values, kind=dp), expected, order)
    end function error_of_real
 
-   pure type(mesh_error_t) function error_of_complex(quantity, is_fitted, values, expected, order) result(error)
+   pure type(mesh_error_t) function error_of_complex(quantity, kind, values, expected, order) result(error)
       integer, intent(in) :: quantity
-      logical, intent(in) :: is_fitted
+      integer, intent(in) :: kind
       complex(dp), intent(in) :: values(:)
       real(dp), intent(in) :: expected
       real(dp), intent(in), optional :: order
       real(dp) :: by_richardson
-      integer :: scheme
 
-      scheme = merge(2, 1, is_fitted)
       by_richardson = richardson_error(values, order)
       if (ieee_is_finite(by_richardson)) then
-         error = mesh_error_t(by_grids(quantity, scheme)*max(by_richardson, model_share*expected), 'coarse_grid')
+         error = mesh_error_t(by_grids(quantity, kind)*max(by_richardson, model_share*expected), 'coarse_grid')
       else if (expected > 0) then
-         error = mesh_error_t(by_model(quantity, scheme)*expected, 'model')
+         error = mesh_error_t(by_model(quantity, kind)*expected, 'model')
       end if
    end function error_of_complex
 

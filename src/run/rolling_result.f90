@@ -6,7 +6,7 @@ module ehlwave_rolling_result
    use ehlwave_error_factors, only: rolling
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, no_value
-   use ehlwave_mesh_errors, only: mesh_error, mesh_error_t
+   use ehlwave_mesh_errors, only: kind_of, mesh_error, mesh_error_t
    use ehlwave_rolling_moment, only: shift_inside, shift_outside, wet_share
    use ehlwave_state, only: state_t
    implicit none (type, external)
@@ -55,7 +55,8 @@ contains
          self%pressure_centre_x = -shift(1)
          self%share_outside = outside/shift(1)
          self%share_missing = (all_outside - outside)/shift(1)
-         error = mesh_error(rolling, problem%grid%is_fitted, shift, 0.0_dp, merge(1.0_dp, 2.0_dp, is_first_order))
+         error = mesh_error(rolling, kind_of(problem%grid%is_fitted, problem%grid%is_line), shift, 0.0_dp, &
+                            merge(1.0_dp, 2.0_dp, is_first_order))
          self%error = error%relative
          if (problem%conditions%radius_over_a() > 0) &
             self%coefficient = shift(1)/(2*problem%conditions%radius_over_a())

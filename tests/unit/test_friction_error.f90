@@ -44,7 +44,6 @@ end module added_law
 program test_friction_error
    use added_law, only: quintic_law_t
    use ehlwave_eyring_law, only: eyring_law_t
-   use ehlwave_film_flow, only: new_film_flow
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_friction_error, only: spike_growth
    use ehlwave_given, only: steady_given
@@ -78,7 +77,10 @@ contains
       associate (problem => level(1)%problem)
          problem%conditions%slip_parameter = 1.5_dp
          problem%conditions%data%reduced_modulus_pa = 2.26e11_dp
-         if (present(law)) problem%film_flow = new_film_flow(law, 1.2_dp, problem%conditions%lambdabar, 1.5_dp)
+         if (present(law)) then
+            call problem%rheology%use_flow(law, 2.26e11_dp*5e6_dp)
+            problem%film_flow = problem%rheology%film_flow(problem%conditions%elliptic%k, problem%conditions%lambdabar, 1.5_dp)
+         end if
          level(1)%state = new_state(problem%grid)
          level(1)%state%p(:, :) = bump_pressure(problem%grid)
          level(1)%state%delta = 0.5_dp

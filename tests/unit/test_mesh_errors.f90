@@ -3,7 +3,7 @@ program test_mesh_errors
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_error_factors, only: amplitude_ratio, by_grids, by_model, central_film
    use ehlwave_kinds, only: dp, no_value
-   use ehlwave_mesh_errors, only: mesh_error, mesh_error_t, observed_order, richardson_error
+   use ehlwave_mesh_errors, only: kind_of, mesh_error, mesh_error_t, observed_order, richardson_error
    use testing, only: test_t
    implicit none (type, external)
 
@@ -27,23 +27,24 @@ contains
 
    subroutine check_rule()
       type(mesh_error_t) :: error
-      integer :: scheme
+      integer :: kind
 
-      do scheme = 1, 2
-         error = mesh_error(central_film, scheme == 2, [2.1_dp, 2.4_dp, 3.6_dp], 0.01_dp)
-         call test%check_close(error%relative/by_grids(central_film, scheme), 0.1_dp/2.1_dp, 'by grids', relative=1e-12_dp)
+      do kind = 1, size(by_grids, 2)
+         error = mesh_error(central_film, kind, [2.1_dp, 2.4_dp, 3.6_dp], 0.01_dp)
+         call test%check_close(error%relative/by_grids(central_film, kind), 0.1_dp/2.1_dp, 'by grids', relative=1e-12_dp)
          call test%check(error%basis == 'coarse_grid', 'basis of two grids')
-         error = mesh_error(central_film, scheme == 2, [2.1_dp, 2.1_dp], 0.01_dp)
-         call test%check_close(error%relative/by_grids(central_film, scheme), 0.003_dp, 'grids that agree by chance', &
+         error = mesh_error(central_film, kind, [2.1_dp, 2.1_dp], 0.01_dp)
+         call test%check_close(error%relative/by_grids(central_film, kind), 0.003_dp, 'grids that agree by chance', &
                                relative=1e-12_dp)
-         error = mesh_error(amplitude_ratio, scheme == 2, [2.1_dp, no_value, 2.4_dp], 0.01_dp)
-         call test%check_close(error%relative/by_model(amplitude_ratio, scheme), 0.01_dp, 'by the model', relative=1e-12_dp)
+         error = mesh_error(amplitude_ratio, kind, [2.1_dp, no_value, 2.4_dp], 0.01_dp)
+         call test%check_close(error%relative/by_model(amplitude_ratio, kind), 0.01_dp, 'by the model', relative=1e-12_dp)
          call test%check(error%basis == 'model', 'basis of one grid')
       end do
-      error = mesh_error(central_film, .false., [2.1_dp], 0.0_dp)
+      error = mesh_error(central_film, 1, [2.1_dp], 0.0_dp)
       call test%check(ieee_is_nan(error%relative) .and. error%basis == '', 'neither grids nor model')
-      error = mesh_error(central_film, .false., [no_value, 2.1_dp], 0.01_dp)
+      error = mesh_error(central_film, 1, [no_value, 2.1_dp], 0.01_dp)
       call test%check(error%basis /= 'coarse_grid', 'no value on the finest grid')
+      call test%check(all(kind_of([.false., .false., .true., .true.], [.false., .true., .false., .true.]) == [1, 2, 3, 4]), 'kinds')
       call test%check(all(by_model >= by_grids) .and. all(by_grids > 0), 'a model is no better than grids')
    end subroutine check_rule
 

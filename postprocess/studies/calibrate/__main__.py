@@ -39,6 +39,7 @@ def _judge(options: argparse.Namespace, known: dict[str, str]) -> int:
     for contact in contacts.values():
         rows += judged.errors_of(contact, table, known, options.folder)
     write_rows(RECORD / "sample.csv", rows, digits=4)
+    rows = factors.read_errors(RECORD / "sample.csv")
     held_out = factors.coverage(rows, table)
     write_rows(RECORD / "coverage.csv", held_out, digits=4)
     factors.write_table(factors.factors(rows, table), len({row["contact"] for row in rows}))

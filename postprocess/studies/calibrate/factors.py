@@ -1,5 +1,6 @@
 """Factors of declared errors from the sample, and their coverage of contacts left out."""
 
+import csv
 import math
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,44 +15,50 @@ from studies.sweeps import Row
 TABLE = ROOT / "src" / "case" / "error_factors.f90"
 BOUND = 0.99
 """Share of errors below the declared errors."""
-SCHEMES = ("averaged", "fitted")
+KINDS = ("averaged ellipse", "averaged line", "fitted ellipse", "fitted line")
+"""Schemes and shapes of contacts: the columns of the table."""
 BASES = ("coarse_grid", "model")
 QUANTITIES = (
     *("central_film", "smallest_film", "friction", "rolling", "response", "amplitude_ratio"),
 )
 FEWEST = 30
-"""Contacts from which a quantile is taken; the factor of the other scheme stands in for fewer."""
+"""Contacts from which a quantile is taken; the larger factors of other kinds stand in for fewer."""
 HALVES, SEED = 20, 7
 
 
 def factors(rows: Sequence[Row], present: dict[str, float]) -> dict[str, float]:
-    """Return the factor of each quantity, scheme and basis, by the names of `key`.
+    """Return the factor of each quantity, kind and basis, by the names of `key`.
 
     Rows have the error of a number over its rule, ``ratio``. A factor without enough rows is the
-    larger of its present value and of the factor of the other scheme.
+    larger of its present value and of the factors of other kinds.
     """
     found = dict(present)
     for quantity in QUANTITIES:
         for basis in BASES:
             enough = {}
-            for scheme in SCHEMES:
-                some = ratios(rows, quantity=quantity, scheme=scheme, basis=basis)
+            for kind in KINDS:
+                some = ratios(rows, quantity=quantity, kind=kind, basis=basis)
                 if some.size >= FEWEST:
-                    enough[scheme] = float(np.quantile(some, BOUND))
-            for scheme in SCHEMES:
-                name = key(quantity, scheme, basis)
+                    enough[kind] = float(np.quantile(some, BOUND, method="weibull"))
+            for kind in KINDS:
+                name = key(quantity, kind, basis)
                 others = max(enough.values(), default=0.0)
-                found[name] = enough.get(scheme, max(others, present[name]))
+                found[name] = enough.get(kind, max(others, present[name]))
     for quantity in QUANTITIES:
-        for scheme in SCHEMES:
-            by_model = key(quantity, scheme, "model")
-            found[by_model] = max(found[by_model], found[key(quantity, scheme, "coarse_grid")])
+        for kind in KINDS:
+            by_model = key(quantity, kind, "model")
+            found[by_model] = max(found[by_model], found[key(quantity, kind, "coarse_grid")])
     return found
 
 
-def key(quantity: str, scheme: str, basis: str) -> str:
+def kind_of(scheme: str, is_line: bool) -> str:
+    """Return the kind of a contact."""
+    return f"{scheme} {'line' if is_line else 'ellipse'}"
+
+
+def key(quantity: str, kind: str, basis: str) -> str:
     """Return the name of a factor."""
-    return f"{quantity} {scheme} {basis}"
+    return f"{quantity} {kind} {basis}"
 
 
 def ratios(rows: Sequence[Row], **equal: Any) -> np.ndarray:  # noqa: ANN401
@@ -70,24 +77,24 @@ def coverage(rows: Sequence[Row], present: dict[str, float]) -> list[Row]:
         for row in rows:
             if row["contact"] in half:
                 continue
-            times = row["ratio"] / fitted[key(row["quantity"], row["scheme"], row["basis"])]
+            times = row["ratio"] / fitted[key(row["quantity"], row["kind"], row["basis"])]
             for one in ("all", *row["classes"].split()):
-                held.setdefault((row["quantity"], row["scheme"], one), []).append(times)
+                held.setdefault((row["quantity"], row["kind"], one), []).append(times)
     return [_covered(rows, name, times) for name, times in sorted(held.items())]
 
 
 def _covered(rows: Sequence[Row], name: tuple[str, str, str], times: list[float]) -> Row:
-    quantity, scheme, one = name
+    quantity, kind, one = name
     same = [
         row
         for row in rows
-        if (row["quantity"], row["scheme"]) == (quantity, scheme)
+        if (row["quantity"], row["kind"]) == (quantity, kind)
         and one in ("all", *row["classes"].split())
     ]
     array = np.array(times)
     return {
         "quantity": quantity,
-        "scheme": scheme,
+        "kind": kind,
         "class": one,
         "contacts": len(same),
         "covered": float(np.mean(array <= 1)),
@@ -103,16 +110,26 @@ def _mean(values: list[float]) -> float:
     return float(np.mean(some)) if some else math.nan
 
 
+def read_errors(path: Path) -> list[Row]:
+    """Return the errors of a record."""
+    texts = ("classes", "quantity", "kind", "basis", "resolved")
+    with path.open(newline="", encoding="utf-8") as file:
+        return [
+            {name: cell if name in texts else float(cell or "nan") for name, cell in row.items()}
+            for row in csv.DictReader(file)
+        ]
+
+
 def read_table(path: Path = TABLE) -> dict[str, float]:
     """Return the factors in the Fortran table."""
     lines = path.read_text(encoding="utf-8").splitlines()
     found = {}
     for basis, name in zip(BASES, ("by_grids", "by_model"), strict=True):
         first = next(n for n, line in enumerate(lines) if f":: {name}(" in line)
-        for number, scheme in enumerate(SCHEMES):
+        for number, kind in enumerate(KINDS):
             words = lines[first + 1 + number].split("]")[0].replace("&", "").split(",")
             values = [float(word.replace("_dp", "")) for word in words if word.strip()]
-            found |= {key(q, scheme, basis): v for q, v in zip(QUANTITIES, values, strict=True)}
+            found |= {key(q, kind, basis): v for q, v in zip(QUANTITIES, values, strict=True)}
     return found
 
 
@@ -120,11 +137,12 @@ def write_table(found: dict[str, float], contacts: int, path: Path = TABLE) -> N
     """Write the Fortran table."""
     text = HEAD.format(contacts=contacts)
     for basis, name in zip(BASES, ("by_grids", "by_model"), strict=True):
-        text += f"   real(dp), parameter, public :: {name}({len(QUANTITIES)}, 2) = reshape([ &\n"
-        for scheme, end in zip(SCHEMES, (", &", f"], [{len(QUANTITIES)}, 2])"), strict=True):
-            values = [f"{found[key(q, scheme, basis)]:#.3g}_dp" for q in QUANTITIES]
+        text += f"   real(dp), parameter, public :: {name}({len(QUANTITIES)}, {len(KINDS)}) = reshape([ &\n"
+        for kind in KINDS:
+            end = ", &" if kind != KINDS[-1] else f"], [{len(QUANTITIES)}, {len(KINDS)}])"
+            values = [f"{found[key(q, kind, basis)]:#.3g}_dp" for q in QUANTITIES]
             text += f"      {', '.join(values)}{end}\n"
-    Writer().text(path, text + "\nend module ehlwave_error_factors\n")
+    Writer(overwrite=True).text(path, text + "\nend module ehlwave_error_factors\n")
 
 
 HEAD = """\
@@ -140,5 +158,5 @@ module ehlwave_error_factors
    integer, parameter, public :: central_film = 1, smallest_film = 2, friction = 3, &
                                  rolling = 4, response = 5, amplitude_ratio = 6
 
-   !> With a coarser grid, and by the model alone: (quantity, scheme), schemes averaged and fitted.
+   !> With a coarser grid, and by the model alone: (quantity, kind), kinds of `kind_of`.
 """

@@ -8,7 +8,7 @@ from typing import Any
 
 from ehlwave.writing import Writer
 from studies.all_keys.draw import Row
-from studies.calibrate.factors import key
+from studies.calibrate.factors import key, kind_of
 from studies.calibrate.sample import VALUES, solved
 
 DIGITS = 6
@@ -102,19 +102,20 @@ def errors_of(
 def _errors(contact: Row, found: Row, table: dict[str, float]) -> Iterator[Row]:
     truth = contact["truth"]
     for quantity, (names, _, _, basis) in NUMBERS.items():
-        if quantity == "response" and "harmonic_ratio" in truth:
+        if quantity == "response" and "harmonic_real" not in truth:
             names = ("harmonic_ratio",)
         value, true = _number(found, names), _number(truth, names)
         error = declared(found, quantity)
         if not (math.isfinite(abs(value - true)) and error > 0 and abs(value) > NOTHING):
             continue
         off = abs(value - true) / abs(value)
-        factor = table[key(quantity, found["scheme"], found[basis])]
+        kind = kind_of(found["scheme"], "line" in contact["classes"])
+        factor = table[key(quantity, kind, found[basis])]
         yield {
             "contact": contact["number"],
             "classes": " ".join(contact["classes"]),
             "quantity": quantity,
-            "scheme": found["scheme"],
+            "kind": kind,
             "basis": found[basis],
             "resolved": found["is_resolved"],
             "off": off,

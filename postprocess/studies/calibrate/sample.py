@@ -17,8 +17,8 @@ SECONDS = {"base": 2, "half": 1, "quarter": 1, "double": 4, "fourfold": 8, "wide
 """Processor time of each run, at most: the sample depends on no other load of the machine."""
 VALUES = (
     *("central_film", "minimum_film", "friction_coefficient", "rolling_resistance"),
-    *("harmonic_real", "harmonic_imaginary", "harmonic_real_2", "harmonic_imaginary_2"),
-    *("amplitude_ratio_fit", "amplitude_ratio_fit_2"),
+    *("harmonic_ratio", "harmonic_real", "harmonic_imaginary"),
+    *("harmonic_real_2", "harmonic_imaginary_2", "amplitude_ratio_fit", "amplitude_ratio_fit_2"),
 )
 DATA = (
     *("status", "rung", "is_resolved", "gamma", "load_parameter_m", "lubricant_parameter_l"),

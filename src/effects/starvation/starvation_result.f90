@@ -95,7 +95,7 @@ contains
          ratios = levels%central_film/flooded%film
          self%flooded_film = flooded%film(n)
          self%film_over_flooded = ratios(n)
-         self%film_over_flooded_error = richardson_error(cmplx(ratios(n:1:-1), kind=dp), 1.0_dp)
+         self%film_over_flooded_error = richardson_error(cmplx(ratios(n:1:-1), kind=dp))
          self%oil_over_flooded = level%given%supply(minloc(abs(grid%y), 1) - 1)/flooded%oil(n)
          self%solve_over_flooded = work/flooded%work - 1
          call follow_oil(level%problem, level%given, level%state, self%passage)
