@@ -78,6 +78,9 @@ def test_grids_of_a_contact() -> None:
     assert 2 * wide["y_max"] / wide["cells_y"] == 4 / 48
 
 
-def test_a_part_of_a_line_is_no_contact(tmp_path: Path) -> None:
-    (tmp_path / "part.jsonl").write_text('{"number": 3}\n{"number": 5, "row"')
-    assert sample.kept(tmp_path) == [{"number": 3}]
+def test_contacts_of_all_parts_are_kept(tmp_path: Path) -> None:
+    for part, number in ((1, 5), (2, 3)):
+        folder = tmp_path / f"part-{part}-of-2"
+        folder.mkdir()
+        (folder / f"{number}.json").write_text(f'{{"number": {number}}}')
+    assert sample.kept(tmp_path) == [{"number": 3}, {"number": 5}]

@@ -4,6 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from ehlwave.writing import Writer
 from studies.all_keys.table import key_groups
 from studies.calibrate import factors, judged, sample
 from studies.command import checks
@@ -20,7 +21,7 @@ def main() -> int:
     parser.add_argument("what", choices=["extend", "judge"])
     parser.add_argument("folder", type=Path)
     options = parser.parse_args()
-    options.folder.mkdir(parents=True, exist_ok=True)
+    Writer().folder(options.folder)
     known = key_groups()
     if options.what == "extend":
         sample.extend(options.folder, sample.part_of(options.part), options.contacts, known)

@@ -137,9 +137,10 @@ def write_table(found: dict[str, float], contacts: int, path: Path = TABLE) -> N
     """Write the Fortran table."""
     text = HEAD.format(contacts=contacts)
     for basis, name in zip(BASES, ("by_grids", "by_model"), strict=True):
-        text += f"   real(dp), parameter, public :: {name}({len(QUANTITIES)}, {len(KINDS)}) = reshape([ &\n"
+        shape = f"{len(QUANTITIES)}, {len(KINDS)}"
+        text += f"   real(dp), parameter, public :: {name}({shape}) = reshape([ &\n"
         for kind in KINDS:
-            end = ", &" if kind != KINDS[-1] else f"], [{len(QUANTITIES)}, {len(KINDS)}])"
+            end = ", &" if kind != KINDS[-1] else f"], [{shape}])"
             values = [f"{found[key(q, kind, basis)]:#.3g}_dp" for q in QUANTITIES]
             text += f"      {', '.join(values)}{end}\n"
     Writer(overwrite=True).text(path, text + "\nend module ehlwave_error_factors\n")
@@ -148,8 +149,8 @@ def write_table(found: dict[str, float], contacts: int, path: Path = TABLE) -> N
 HEAD = """\
 !> Factors of declared errors. Written by `scripts/study accuracy --calibrate`: do not edit.
 !>
-!> 99 % of the errors of {contacts} contacts are below factor times rule, theory eq. (E1). The errors
-!> are in postprocess/record/accuracy/sample.csv.
+!> 99 % of the errors of {contacts} contacts are below factor times rule, theory eq. (E1). Errors:
+!> postprocess/record/accuracy/sample.csv.
 module ehlwave_error_factors
    use ehlwave_kinds, only: dp
    implicit none (type, external)

@@ -4,11 +4,10 @@ import json
 import os
 import resource
 import subprocess
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ehlwave.writing import keep_own_file
+from ehlwave.writing import Writer, keep_own_file
 from studies import programs
 from studies.all_keys.draw import Row
 from studies.calibrate.contacts import classes_of, drawn, scaled, widened
@@ -86,24 +85,14 @@ def part_of(text: str | None) -> tuple[int, int]:
 def extend(folder: Path, part: tuple[int, int], count: int, known: dict[str, str]) -> None:
     """Compute the missing contacts of a part, and keep each when it is done."""
     done = {row["number"] for row in kept(folder)}
-    own = folder / f"part-{part[0]}-of-{part[1]}"
-    own.mkdir(parents=True, exist_ok=True)
-    with own.with_suffix(".jsonl").open("a", encoding="utf-8") as file:
-        for number in numbers_of(part, count):
-            if number not in done:
-                print(json.dumps(computed(number, known, own)), file=file, flush=True)
+    own = Writer().folder(folder / f"part-{part[0]}-of-{part[1]}")
+    for number in numbers_of(part, count):
+        if number not in done:
+            found = json.dumps(computed(number, known, own))
+            keep_own_file(own / f"{number}.json", found.encode())
 
 
 def kept(folder: Path) -> list[Row]:
     """Return all contacts that are done, by their numbers."""
-    rows = {row["number"]: row for path in folder.glob("*.jsonl") for row in _lines(path)}
-    return [rows[number] for number in sorted(rows)]
-
-
-def _lines(path: Path) -> Iterator[Row]:
-    """Yield the whole lines of a file; a run that was stopped may leave a part of one."""
-    for line in path.read_text(encoding="utf-8").splitlines():
-        try:
-            yield json.loads(line)
-        except json.JSONDecodeError:
-            continue
+    rows = [json.loads(path.read_text()) for path in folder.glob("part-*/[0-9]*.json")]
+    return sorted(rows, key=lambda row: row["number"])
