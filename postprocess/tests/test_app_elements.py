@@ -25,6 +25,7 @@ def test_examples_of_the_fields_answer(tab: str, element: str) -> None:
         asyncio.run(form._compute(None))
         assert form.first.object == ""
         assert "Worst places" in form.report.object
+        assert "heat=" not in form.report.object
         assert form._file().getvalue().startswith("<!doctype html>")
         form.fields[element][0][0].text.value = "-1"
         asyncio.run(form._compute(None))

@@ -54,12 +54,33 @@ def test_report_names_the_worst_band() -> None:
     assert "transverse" in removal_text(found.bands)[0]
 
 
+@pytest.mark.parametrize("ends", ["none", "mirror"])
+def test_film_gradient_is_the_change_of_the_smallest_film(ends: str) -> None:
+    """Waves whose crests meet: each lowers the smallest film by its deformed amplitude."""
+    given = {"form": "none", "ends": ends}
+    found = CONTACT.deform(waves(80e-9, 40e-9), **given)
+    step = 1e-4
+    for is_short, change in ((False, (step, 0.0)), (True, (0.0, step))):
+        up, down = (
+            CONTACT.deform(
+                waves(80e-9 * (1 + side * change[0]), 40e-9 * (1 + side * change[1])), **given
+            ).statistics.minimum_film_m
+            for side in (1, -1)
+        )
+        expected = (np.log(up) - np.log(down)) / (2 * step)
+        own = [band for band in found.bands if (band.shortest_m < LONG_M / 4) == is_short]
+        total = sum(band.film_gradient for band in own)
+        assert total == pytest.approx(expected, rel=5e-3, abs=2e-3)
+
+
 def test_figure_has_the_bands() -> None:
     """The bars of all directions add up to the gradients."""
     found = CONTACT.deform(waves(80e-9, 40e-9), form="none", ends="none")
-    (axes,) = removal_figure(found.bands).axes
-    heights = [bar.get_height() for bar in axes.patches]
+    ratios, films = removal_figure(found.bands).axes
+    heights = [bar.get_height() for bar in ratios.patches]
     assert sum(heights) == pytest.approx(sum(band.gradient for band in found.bands))
+    lowest = min(bar.get_height() for bar in films.patches)
+    assert lowest == pytest.approx(min(band.film_gradient for band in found.bands))
     assert min(heights) == pytest.approx(found.bands[0].gradient)
 
 

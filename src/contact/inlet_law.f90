@@ -7,7 +7,7 @@ module ehlwave_inlet_law
    private
    public :: inlet_loss, inlet_loss_error, is_within_law
 
-   !> The contact as the law takes it.
+   !> Dimensionless groups of a contact, the inputs of the law.
    type, public :: inlet_t
       real(dp) :: loading = 0              !! L_t = eta0 beta ubar^2/k
       real(dp) :: slide_roll = 0           !! s = |u1 - u2|/ubar

@@ -39,6 +39,8 @@ module ehlwave_work_unit
                                                           !! Carreau's takes 150
    integer, parameter, public :: fitted_operations = 250  !! a face of a fitted flux
    integer, parameter, public :: relaxation_operations = 1000   !! a node: one sweep over lines and the updates after it
+   integer, parameter, public :: heat_operations = 1100   !! a level of a node: march of the energy equation (820), then
+                                                          !! means, fluidities and mixture; Ree-Eyring measured
    integer, parameter, public :: mlmi_operations = 450          !! per node: about as FFT on 257 x 257 nodes
 
    real(dp), parameter, public :: single_share = 0.7_dp   !! share of a single-precision convolution in a

@@ -17,6 +17,7 @@ module ehlwave_energy
    use ehlwave_state, only: state_t
    use ehlwave_wall_heat, only: new_wall_heat
    use ehlwave_wall_history, only: new_wall_history
+   use ehlwave_work_unit, only: heat_operations
    implicit none (type, external)
    private
    public :: fast, new_energy, warm_problem
@@ -156,10 +157,20 @@ contains
       self%heat = problem%grid%integral(merge(self%shear%shear_heat/state%h, 0.0_dp, state%p > bearing))
       self%heat_difference = abs(self%heat_difference - self%heat)/max(self%heat, tiny(before))
       self%difference = change*problem%grid%hx*problem%grid%hy/largest
+      call count(problem, real(heat_operations, dp)*size(self%rise))
       if (allocated(self%earlier)) return
+      before = self%bodies%operations
       call self%settle_walls(problem, state, change)
+      call count(problem, self%bodies%operations - before)
       self%difference = max(self%difference, change/largest)
    end subroutine march
+
+   !> Add operations to the work done on a grid.
+   subroutine count(problem, operations)
+      type(contact_problem_t), intent(inout) :: problem
+      real(dp), intent(in) :: operations
+      if (allocated(problem%deformation)) problem%deformation%work = problem%deformation%work + operations
+   end subroutine count
 
    !> Rises of the surfaces by the heat of a march, as the film conducts it.
    subroutine settle_walls(self, problem, state, change)
@@ -183,7 +194,7 @@ contains
                response(:, i, j) = [1.0_dp, 0.25_dp*less/(1 - less/12)]/state%h(i, j)
             end do
          end do
-         call self%bodies%settle(grid, self%into_wall, response, missing)
+         call self%bodies%settle(grid, self%into_wall, response, minval(self%scales%peclet) > fast, missing)
          change = 0
          do j = grid%first_row, grid%last_row
             do i = 1, grid%nx - 1

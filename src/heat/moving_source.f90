@@ -7,7 +7,7 @@ module ehlwave_moving_source
    public :: source_weights
 
    integer, parameter :: points = 10               ! Gauss points of a panel of the integral over the spread
-   real(dp), parameter :: growth = 1.5_dp          ! largest ratio of the ends of a panel
+   real(dp), parameter :: growth = 2             ! largest ratio of the ends of a panel
    real(dp), parameter :: widths = 7               ! spreads beyond which a normal distribution vanishes: 1e-12
    real(dp), parameter :: smooth = 100             ! spread, in cells, from which on cells are normal distributions
    real(dp), parameter :: farthest = 1e3_dp        ! spread, in sizes of the domain, beyond which 1/spread is integrated

@@ -67,7 +67,7 @@ contains
 
    end subroutine split_list
 
-   !> A number; null and nothing become NaN, true 1, false 0.
+   !> Read a number; null and a missing value become NaN, true 1, false 0.
    pure real(dp) function json_number(text) result(value)
       character(len=*), intent(in) :: text
       select case (text)

@@ -63,7 +63,7 @@ contains
       end associate
    end subroutine take
 
-   !> How far out oil counts, over the size of the domain.
+   !> Distance up to which oil outside counts, over the size of the domain.
    pure real(dp) function times_outside(problem) result(times)
       type(contact_problem_t), intent(in) :: problem
       times = max(real(fewest_domains, dp), problem%conditions%radius_over_a()/abs(problem%grid%x(0)))

@@ -13,7 +13,7 @@ module ehlwave_line_system
    private
    public :: new_line_system
 
-   !> Work space of a line, for a thread.
+   !> Work space of a thread for one line.
    type, public :: line_system_t
       type(band_t) :: band                                  !! n of it: nodes up to the last that is not cavitated
       real(dp), allocatable :: delta(:)                     !! its right side, then its solution

@@ -20,6 +20,7 @@ module ehlwave_warm_steady
    public :: solve_warm
 
    integer, parameter :: most_rounds = 40, most_coarse_rounds = 20
+   integer, parameter :: first_steps = 2            !! steps of Newton's method for temperatures from the coarser level
    integer, parameter :: more_steps = 6             !! steps of Newton's method in a round, more than the usual 1: where
                                                     !! temperatures have settled, and where its active set goes to and
    real(dp), parameter :: stuck = 0.5_dp            !! fro, the residual exceeding the previous residual
@@ -170,14 +171,14 @@ contains
          energy%film_difference = huge(before)
          report%status = status_stalled
          if (is_predicted) then
-            call improve(multigrid, l, limits, 1, .false., cap, report, total)
+            call improve(multigrid, l, limits, first_steps, .true., cap, report, total)
             energy%film_difference = abs(level%problem%grid%value_at_centre(level%state%h)/centre - 1)
          end if
          do round = 1, rounds
             rise = level%problem%heat%rise
             do again = 1, marches
                if (again > 1) call energy%weigh(level%problem, level%state)
-               call march(multigrid, l, is_predicted .or. round > 1, energy)
+               call march(multigrid, l, is_predicted .or. round > 1, cap, energy)
                if (.not. (energy%difference > far .and. energy%difference/ahead_of_film > energy%film_difference)) exit
             end do
             is_settled = .false.
@@ -217,14 +218,17 @@ contains
    end subroutine settle
 
    !> Temperatures by a march through the film of a level.
-   subroutine march(multigrid, l, is_solved, energy)
+   subroutine march(multigrid, l, is_solved, cap, energy)
       type(full_multigrid_t), intent(inout), target :: multigrid
       integer, intent(in) :: l
       logical, intent(in) :: is_solved             !! whether it was the last that was solved for
+      class(capped_solver_t), intent(inout) :: cap
       type(energy_t), intent(inout) :: energy
       type(equations_t), target :: own
       type(equations_t), pointer :: equations
+      real(dp) :: work_before
 
+      work_before = multigrid%work()
       associate (level => multigrid%levels(l))
          equations => null()
          if (is_solved) equations => multigrid%last_equations(l)
@@ -235,6 +239,7 @@ contains
          end if
          call energy%march(level%problem, level%state, equations%flow, until_film_ends=.true.)
       end associate
+      cap%work_left = cap%work_left - (multigrid%work() - work_before)
    end subroutine march
 
    !> Steps of Newton's method under the temperatures of a level, within the cap; the last is judged or kept. `total`

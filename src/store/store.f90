@@ -175,7 +175,7 @@ contains
       call self%log%append('columns '//columns, error)
    end subroutine keep
 
-   !> Wait for the disk if it is time to.
+   !> Synchronise the log with the disk, at most for a small share of the time.
    subroutine sync(self, error)
       class(store_t), intent(inout) :: self
       type(error_t), allocatable, intent(inout) :: error

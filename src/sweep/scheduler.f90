@@ -148,7 +148,7 @@ contains
       call look_around(self)
    end subroutine serve_waiting
 
-   !> Notice a request to stop; do the other tasks of rank 0.
+   !> Check for a stop request, and do the other tasks of rank 0.
    subroutine look_around(self)
       class(leader_t), intent(inout) :: self
       call self%look_at_clock()

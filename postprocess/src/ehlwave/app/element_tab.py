@@ -151,4 +151,5 @@ def _answered(document: ElementDocument, upload: Upload | None) -> tuple[str, st
     table = document.table(**({} if trace is None else {"trace": trace}))
     with _DRAWING:
         drawing = drawing_svg(document.name)
-        return report_body(table), report_html(table, drawing_svg=drawing)
+        words = shown.plain
+        return report_body(table, words), report_html(table, drawing_svg=drawing, words=words)

@@ -71,7 +71,7 @@ def serve(address: str, port: int, hosts: Sequence[str] = ()) -> None:
 
 
 def make_server(address: str, port: int, hosts: Sequence[str], pools: Pools) -> Server:
-    """Return a server that listens already."""
+    """Return a server on a listening socket."""
     silence_extrapolation()
     pn.extension("filedropper", loading_indicator=False)
     pn.config.inline = False

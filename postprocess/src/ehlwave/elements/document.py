@@ -91,7 +91,7 @@ class ElementDocument:
         return make(**dimensions)
 
     def oil(self) -> Oil:
-        """Return the oil of the data sheet, or of its own numbers."""
+        """Return the oil by its data sheet or by its properties."""
         sheet = dict(self.given.get("oil", {}))
         if not sheet:
             raise SurfaceError("[oil] is missing: give iso_vg and temperature_k, such as 343.15")

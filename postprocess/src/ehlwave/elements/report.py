@@ -7,6 +7,7 @@ import io
 import json
 import math
 import re
+from collections.abc import Callable
 from html import escape
 from typing import Any
 
@@ -115,7 +116,12 @@ def report_json(table: xr.Dataset) -> str:
     return json.dumps(document, indent=1)
 
 
-def report_html(table: xr.Dataset, inputs: str = "", drawing_svg: str = "") -> str:
+def report_html(
+    table: xr.Dataset,
+    inputs: str = "",
+    drawing_svg: str = "",
+    words: Callable[[str], str] = str,
+) -> str:
     """Return the report as a single HTML page.
 
     Parameters
@@ -126,23 +132,27 @@ def report_html(table: xr.Dataset, inputs: str = "", drawing_svg: str = "") -> s
         Text of the input file.
     drawing_svg : str
         Drawing of the element.
+    words : callable
+        Returns a note in the words of its readers.
     """
     name = title(table)
     given = f"<h2>Input</h2><pre>{escape(inputs)}</pre>" if inputs else ""
     return (
         f"<!doctype html><html lang='en'><head><meta charset='utf-8'><title>{name}</title>"
         f"<style>{STYLE}</style></head><body><h1>{name}</h1>{drawing_svg}"
-        f"{report_body(table)}{given}</body></html>"
+        f"{report_body(table, words)}{given}</body></html>"
     )
 
 
-def report_body(table: xr.Dataset) -> str:
+def report_body(table: xr.Dataset, words: Callable[[str], str] = str) -> str:
     """Return the report as a part of a page: worst places, figures, numbers, sources.
 
     Parameters
     ----------
     table : xarray.Dataset
         Of an element.
+    words : callable
+        Returns a note in the words of its readers.
     """
     name = title(table)
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -155,8 +165,8 @@ def report_body(table: xr.Dataset) -> str:
     worst = "".join(
         f"<li>{escape(one)}</li>" for one in str(table.attrs["worst"]).split("; ") if one
     )
-    notes = "".join(f"<p class='note'>{escape(text)}</p>" for text in reasons(table))
-    notes += "".join(f"<p class='note'>{escape(text)}</p>" for text in _kinds(table, "doubts"))
+    texts = [*reasons(table), *_kinds(table, "doubts")]
+    notes = "".join(f"<p class='note'>{escape(words(text))}</p>" for text in texts)
     numbers = [str(key) for key in table.attrs if key not in ("worst", "element")]
     attributes = "".join(
         f"<tr><th>{_linked(key)}</th>"

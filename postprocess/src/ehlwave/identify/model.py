@@ -28,7 +28,7 @@ CELLS, LINE_CELLS = 128, 512
 
 
 def at_temperature(keys: Keys, reference_k: float | None) -> dict[str, Any]:
-    """Return keys whose viscosity is that at their temperature; isothermal keys have no others."""
+    """Return keys with the viscosity at their temperature, as cases without heat take it."""
     found = dict(keys)
     if any(key in found for key in HEAT_DATA if key != DECAY):
         return found

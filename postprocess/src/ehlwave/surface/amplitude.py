@@ -72,6 +72,11 @@ def rise_error(conditions: Conditions, amplitude: float) -> float:
     return RISE_ERRORS[kind] * amplitude**2
 
 
+def lowest_film_slope(linear: float, width: float = LOWEST_WIDTH) -> float:
+    """Return the derivative of :func:`lowest_film` by the linear prediction."""
+    return 1 / (1 + math.exp(-linear / width))
+
+
 def lowest_film(linear: float, width: float = LOWEST_WIDTH) -> float:
     """Return the lowest film from the linear prediction of it, both over the smooth film.
 

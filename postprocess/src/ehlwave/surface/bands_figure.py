@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib import rc_context
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ehlwave.surface.figures import STYLE, UM
@@ -14,9 +15,10 @@ HATCHES = dict(zip(DIRECTIONS, ("", "///", "..."), strict=True))
 
 
 def removal_figure(bands: Sequence[Band]) -> Figure:
-    """Draw d ln(lambda ratio)/d ln(amplitude) of the waves in each octave, by direction.
+    """Draw the exponents of lambda ratio and smallest film in the amplitude of the waves.
 
-    Bars below 0: less of these waves raises lambda.
+    A bar for each octave of the wavelength, by direction. Bars below 0: less of these waves raises
+    the lambda ratio, or the smallest film.
 
     Parameters
     ----------
@@ -28,27 +30,37 @@ def removal_figure(bands: Sequence[Band]) -> Figure:
     matplotlib.figure.Figure
         Wavelengths in um.
     """
-    edges = np.array(sorted({band.shortest_m for band in bands})) * UM
+    panels = [("lambda ratio", [(band, band.gradient) for band in bands])]
+    if films := [(b, b.film_gradient) for b in bands if b.film_gradient is not None]:
+        panels.append(("smallest film", films))
     with rc_context(STYLE):
-        figure = Figure(figsize=(6.4, 3.2), layout="constrained")
-        axes = figure.subplots()
-        low = dict.fromkeys(edges, 0.0)
-        high = dict(low)
-        for direction in DIRECTIONS:
-            own = [band for band in bands if band.direction == direction]
-            if not own:
-                continue
-            left = np.array([band.shortest_m for band in own]) * UM
-            height = np.array([band.gradient for band in own])
-            base = []
-            for edge, value in zip(left, height, strict=True):
-                stack = low if value < 0 else high
-                base.append(stack[edge])
-                stack[edge] += value
+        figure = Figure(figsize=(6.4, 0.8 + 2.2 * len(panels)), layout="constrained")
+        all_axes = figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0]
+        for axes, (name, values) in zip(all_axes, panels, strict=True):
+            _draw_bars(axes, values)
+            axes.set_ylabel(f"exponent of {name}")
+        all_axes[-1].set_xscale("log")
+        all_axes[-1].set_xlabel(r"wavelength [$\mu$m]")
+        found = all_axes[0].get_legend_handles_labels()
+        figure.legend(*found, loc="outside upper center", ncols=3, frameon=False)
+    return figure
+
+
+def _draw_bars(axes: Axes, values: Sequence[tuple[Band, float]]) -> None:
+    """Draw values, stacked over the directions of an octave."""
+    ends: dict[tuple[float, bool], float] = {}
+    for direction in DIRECTIONS:
+        own = [(band, value) for band, value in values if band.direction == direction]
+        base = []
+        for band, value in own:
+            place = band.shortest_m, value < 0
+            base.append(ends.get(place, 0.0))
+            ends[place] = base[-1] + value
+        if own:
             axes.bar(
-                left,
-                height,
-                width=[(band.longest_m - band.shortest_m) * UM for band in own],
+                np.array([band.shortest_m for band, _ in own]) * UM,
+                [value for _, value in own],
+                width=[(band.longest_m - band.shortest_m) * UM for band, _ in own],
                 bottom=base,
                 align="edge",
                 color=COLOURS[direction],
@@ -57,9 +69,4 @@ def removal_figure(bands: Sequence[Band]) -> Figure:
                 linewidth=0.5,
                 label=direction,
             )
-        axes.set_xscale("log")
-        axes.axhline(0, color="0.2", linewidth=0.8)
-        axes.set_xlabel(r"wavelength [$\mu$m]")
-        axes.set_ylabel(r"$d\,\ln \Lambda\,/\,d\,\ln A$ of the waves")
-        axes.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=3)
-    return figure
+    axes.axhline(0, color="0.2", linewidth=0.8)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ehlwave.surface.amplitude import lowest_film_slope
 from ehlwave.surface.statistics import FilmStatistics
 
 Floats = NDArray[np.float64]
@@ -34,6 +35,9 @@ class Band:
         d ln(lambda ratio)/d ln(amplitude of these waves). Below 0: less of them raises lambda.
     lambda_without : float
         Lambda ratio without them.
+    film_gradient : float or None
+        d ln(smallest film)/d ln(amplitude of these waves), at the highest point of the deformed
+        surface. None: there is no smallest film, or the map has more than 4 million points.
     """
 
     shortest_m: float
@@ -43,6 +47,7 @@ class Band:
     share_after: float
     gradient: float
     lambda_without: float
+    film_gradient: float | None = None
 
 
 class Bands:
@@ -51,26 +56,34 @@ class Bands:
     def __init__(self) -> None:
         """Begin with none."""
         self._sums: dict[tuple[int, int], Floats] = {}
+        self._heights: dict[tuple[int, int], float] = {}
 
     def add(
         self, qx: Floats, qy: Floats, before: Floats, after: Floats, rise: Floats | None
     ) -> None:
         """Add a block: waves per metre along x (rows) and y (columns), mean squares, m^2."""
-        along, across = np.abs(qx), np.abs(qy)
-        octave = -np.frexp(np.hypot(along, across))[1].astype(int)  # 2^octave: shortest wavelength
-        turn = sum((across > limit * along).astype(int) for limit in STEEPER)
         risen = np.zeros_like(before) if rise is None else 2 * rise * before
-        place = (len(DIRECTIONS) * (octave - octave.min()) + turn).ravel()
+        place, lowest = _places(qx, qy)
         sums = [np.bincount(place, part.ravel()) for part in (before, after, risen)]
         for one in np.flatnonzero(sums[0]):
-            key = int(one) // len(DIRECTIONS) + int(octave.min()), int(one) % len(DIRECTIONS)
+            key = _key(int(one), lowest)
             self._sums[key] = self._sums.get(key, np.zeros(3)) + [part[one] for part in sums]
+
+    def add_heights(self, qx: Floats, qy: Floats, heights: Floats) -> None:
+        """Add the heights of a block at the highest deformed point, m."""
+        place, lowest = _places(qx, qy)
+        sums = np.bincount(place, heights.ravel())
+        for one in np.flatnonzero(sums):
+            key = _key(int(one), lowest)
+            self._heights[key] = self._heights.get(key, 0.0) + float(sums[one])
 
     def gradients(self, statistics: FilmStatistics) -> list[Band]:
         """Return the bands, the one that lowers the lambda ratio most first.
 
         With the mean film h, smooth film plus rises, and the mean square m of the deformed heights,
-        d ln(lambda)/d ln(A) = 2 rise/h - m_band/m.
+        d ln(lambda)/d ln(A) = 2 rise/h - m_band/m. The smallest film is a function f of the mean
+        film less the highest deformed point, :func:`ehlwave.surface.amplitude.lowest_film`; it
+        changes by f' (2 rise - z_band).
         """
         ratio, film = statistics.lambda_ratio_after, statistics.mean_film_m
         sums = np.array(list(self._sums.values()))
@@ -92,9 +105,34 @@ class Bands:
                     share_after=float(after / whole[1]),
                     gradient=float(2 * lift / film - after / whole[1]),
                     lambda_without=float(ratio * without),
+                    film_gradient=self._film_gradient((octave, turn), lift, statistics),
                 )
             )
         return sorted(bands, key=lambda band: band.gradient)
+
+    def _film_gradient(
+        self, key: tuple[int, int], lift: float, statistics: FilmStatistics
+    ) -> float | None:
+        smallest, mean = statistics.minimum_film_m, statistics.mean_film_m
+        if smallest is None or mean is None or not self._heights:
+            return None
+        smooth = mean - (statistics.mean_rise_m or 0.0)
+        slope = lowest_film_slope((mean - sum(self._heights.values())) / smooth)
+        return slope * (2 * lift - self._heights.get(key, 0.0)) / smallest
+
+
+def _places(qx: Floats, qy: Floats) -> tuple[NDArray[np.intp], int]:
+    """Return numbers of the bands of components, and the lowest octave, where they begin."""
+    along, across = np.abs(qx), np.abs(qy)
+    octave = -np.frexp(np.hypot(along, across))[1].astype(int)  # 2^octave: shortest wavelength
+    turn = sum((across > limit * along).astype(int) for limit in STEEPER)
+    lowest = int(octave.min())
+    return (len(DIRECTIONS) * (octave - lowest) + turn).ravel(), lowest
+
+
+def _key(place: int, lowest: int) -> tuple[int, int]:
+    """Return octave and direction of a band."""
+    return place // len(DIRECTIONS) + lowest, place % len(DIRECTIONS)
 
 
 def removal_text(bands: list[Band], most: int = 3, least: float = 0.02) -> list[str]:
@@ -110,3 +148,17 @@ def removal_text(bands: list[Band], most: int = 3, least: float = 0.02) -> list[
         )
         for band in chosen
     ]
+
+
+def film_text(bands: list[Band], least: float = 0.02) -> str:
+    """Return a line of a report: the band that lowers the smallest film most; '' without any."""
+    known = [band for band in bands if band.film_gradient is not None]
+    if not known:
+        return ""
+    band = min(known, key=lambda one: one.film_gradient or 0.0)
+    if not (band.film_gradient or 0.0) < -least:
+        return ""
+    return (
+        f"{band.shortest_m * 1e6:.3g} to {band.longest_m * 1e6:.3g} um, {band.direction}: 1 % less "
+        f"amplitude gives {-(band.film_gradient or 0.0):.2g} % more smallest film"
+    )

@@ -16,7 +16,7 @@ from ehlwave.surface.answer import LIMITS_TEXT, answer_of
 from ehlwave.surface.narrower import narrower
 from ehlwave.surface.pair import PairStatistics
 from ehlwave.surface.predict import Deformed
-from ehlwave.surface.removal import removal_text
+from ehlwave.surface.removal import film_text, removal_text
 from ehlwave.surface.spectrum import Component
 from ehlwave.surface.statistics import FilmStatistics
 from ehlwave.writing import Writer
@@ -64,6 +64,8 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         lines += _film_lines(result)
     for place, text in enumerate(removal_text(result.bands)):
         lines.append(f"{'Remove first' if place == 0 else '            '} {text}")
+    if text := film_text(result.bands):
+        lines.append(f"             {text}")
     if step := narrower(result):
         lines.append(f"To narrow    {step}")
     for other in others:

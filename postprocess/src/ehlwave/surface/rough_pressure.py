@@ -29,7 +29,7 @@ class Predicted(Protocol):
 
     @property
     def surface(self) -> Surface:
-        """As it was measured."""
+        """Measured surface, before the contact."""
 
     @property
     def conditions(self) -> Conditions:

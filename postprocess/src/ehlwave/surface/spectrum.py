@@ -81,7 +81,7 @@ class Tally:
     """Number, mean square and largest members of a class of components."""
 
     def __init__(self) -> None:
-        """Begin with none."""
+        """Start without components."""
         self.components = 0
         self.before = 0.0
         self.after = 0.0
@@ -117,7 +117,7 @@ class Coverage:
     """Tallies of all components, of long ones, and of others that a transfer does not cover."""
 
     def __init__(self, conditions: Conditions, transfer: Transfer) -> None:
-        """Begin with none."""
+        """Start without components."""
         self._conditions = conditions
         self._transfer = transfer
         self.total = Tally()

@@ -1,5 +1,6 @@
 """A surface as the sum of its components: each times its transfer, and their sum."""
 
+import copy
 import math
 from typing import Any, Protocol
 
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 from ehlwave.choices import Window
 from ehlwave.contact.conditions import Conditions
 from ehlwave.laws.transfer import Transfer
-from ehlwave.surface.prepare import extended
+from ehlwave.surface.prepare import extended, judged_part
 from ehlwave.surface.spectrum import Coverage, Floats, Spectrum, empty_spectrum
 from ehlwave.surface.surface import Heights, Surface
 
@@ -19,6 +20,9 @@ WORKERS = 2
 
 BLOCK = 2**16
 """Components that are judged at a time."""
+
+MOST_KEPT = 2**22
+"""Components up to which the height of the highest point is parted among them."""
 
 
 class _Components(Protocol):
@@ -32,6 +36,9 @@ class _Components(Protocol):
 
     def multiply(self, block: slice, ratio: NDArray[Any]) -> None:
         """Multiply rows by their transfer."""
+
+    def heights_at(self, block: slice, node: tuple[int, int]) -> Floats:
+        """Return the heights of rows at a node, m."""
 
     def total(self) -> Heights:
         """Return the sum of the components: heights, m."""
@@ -72,7 +79,25 @@ def superposed(
         rise += math.nan if of_wave is None else 2 * (of_wave * before).sum()
         parts.multiply(block, ratio)
     known = rise / mean_square if mean_square > 0 else 0.0
-    return parts.total(), spectra, cover, None if math.isnan(rise) else known
+    kept = copy.deepcopy(parts) if parts.qx.size * parts.qy.size <= MOST_KEPT else None
+    found = parts.total()
+    if kept is not None:
+        _add_peak(found, kept, cover, window, rows)
+    return found, spectra, cover, None if math.isnan(rise) else known
+
+
+def _add_peak(
+    found: Heights, parts: _Components, cover: Coverage, window: Window, rows: int
+) -> None:
+    """Add what each band has of the height of the highest point in the contact."""
+    part = judged_part((found.shape[0], found.shape[1]), window)
+    chosen = found[part]
+    place = np.unravel_index(int(np.argmax(chosen)), chosen.shape)
+    node = [int(i) + (cut.start or 0) for i, cut in zip(place, part, strict=True)]
+    for first in range(0, parts.qx.size, rows):
+        block = slice(first, min(first + rows, parts.qx.size))
+        heights = parts.heights_at(block, (node[0], node[1]))
+        cover.bands.add_heights(parts.qx[block, None], parts.qy[None, :], heights)
 
 
 class _Cosines:
@@ -105,6 +130,25 @@ class _Cosines:
             imaginary = ratio.imag[first - block.start :].astype(part.dtype)
             self._sines[first - 1 : block.stop - 1] = self._cosines[first : block.stop] * imaginary
         part *= ratio.real.astype(part.dtype)
+
+    def heights_at(self, block: slice, node: tuple[int, int]) -> Floats:
+        nx, ny = self._cosines.shape
+        weight = np.ones(nx)
+        weight[0] = 0.5
+        across = np.ones(ny)
+        if ny > 1:
+            across = np.cos(np.pi * np.arange(ny) * (2 * node[1] + 1) / (2 * ny)) / ny
+            across[0] = 0.5 / ny
+        turn = np.pi * np.arange(nx)[block] * (2 * node[0] + 1) / (2 * nx)
+        along = weight[block] * np.cos(turn) / nx if nx > 1 else np.ones(1)
+        found = along[:, None] * self._cosines[block]
+        if self._sines is not None:
+            first = max(block.start, 1)
+            sine = np.sin(turn[first - block.start :]) / nx
+            if block.stop == nx:
+                sine[-1] /= 2
+            found[first - block.start :] -= sine[:, None] * self._sines[first - 1 : block.stop - 1]
+        return np.asarray(found * across, dtype=float)
 
     def total(self) -> Heights:
         found = scipy.fft.idctn(self._cosines, axes=self._axes, workers=WORKERS, overwrite_x=True)
@@ -144,6 +188,14 @@ class _Waves:
     def multiply(self, block: slice, ratio: NDArray[Any]) -> None:
         part = self._spectrum[block]
         part *= _real_at_nyquist(ratio, block, self._shape[0]).astype(part.dtype)
+
+    def heights_at(self, block: slice, node: tuple[int, int]) -> Floats:
+        nx, ny = self._shape
+        rows, columns = self._spectrum.shape
+        along = np.exp(2j * np.pi * np.arange(rows)[block] * node[0] / nx)
+        across = np.exp(2j * np.pi * np.arange(columns) * node[1] / ny)
+        times = _multiplicity(block, nx, ny, self._half) / (nx * ny)
+        return np.asarray((self._spectrum[block] * along[:, None] * across).real * times, float)
 
     def total(self) -> Heights:
         axes = (1 - self._half, self._half)

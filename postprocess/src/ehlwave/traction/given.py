@@ -37,7 +37,7 @@ def read_keys(path: str | Path) -> dict[str, Any]:
 
 
 def checked_ratios(ratios: Sequence[float], has_heat: bool) -> list[float]:
-    """Return the ratios, rising."""
+    """Return the slide-to-roll ratios in rising order."""
     try:
         chosen = sorted({float(ratio) for ratio in ratios})
     except (TypeError, ValueError):
