@@ -3,11 +3,13 @@
 import math
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import ehlwave
 from ehlwave.errors import SurfaceError
 from ehlwave.surface import trace_surface
+from studies import budget
 
 DATA = {
     "radius_x_m": 0.0127,
@@ -39,7 +41,7 @@ KEYS = {
 def test_budget_is_the_spread_of_random_draws() -> None:
     """300 draws: their standard deviation is known within 4 %, so within 12 % of the budget."""
     rng = np.random.default_rng(7)
-    budget = ehlwave.Contact(**DATA, **ERRORS).error_budget(by="laws")
+    table = ehlwave.Contact(**DATA, **ERRORS).error_budget(by="laws")
     found = []
     for _ in range(300):
         changes = {
@@ -49,10 +51,10 @@ def test_budget_is_the_spread_of_random_draws() -> None:
         film = ehlwave.Contact(**{**DATA, **changes})._film("laws")
         found.append((math.log(film.central_m), math.log(film.friction)))
     spread = np.std(found, axis=0)
-    assert budget.central_film["total"] == pytest.approx(spread[0], rel=0.12)
-    assert budget.friction["total"] == pytest.approx(spread[1], rel=0.12)
-    assert budget.central_film_share.drop("total").sum() == pytest.approx(1)
-    assert budget.index[0] == "pressure_viscosity_per_pa"
+    assert table.central_film["total"] == pytest.approx(spread[0], rel=0.12)
+    assert table.friction["total"] == pytest.approx(spread[1], rel=0.12)
+    assert table.central_film_share.drop("total").sum() == pytest.approx(1)
+    assert table.index[0] == "pressure_viscosity_per_pa"
 
 
 def test_lambda_ratio() -> None:
@@ -64,12 +66,24 @@ def test_lambda_ratio() -> None:
     }
     errors = {"load_error": 0.1, "viscosity_error": 0.1}
     contact = ehlwave.Contact(**rolling, **errors)
-    budget = contact.error_budget(trace, by="laws")
+    table = contact.error_budget(trace, by="laws")
     up, down = (
         contact.replace(viscosity_pa_s=0.05 * factor).lambda_ratio(trace) for factor in (1.05, 0.95)
     )
     power = math.log(up / down) / math.log(1.05 / 0.95)
-    assert budget.lambda_ratio["viscosity_pa_s"] == pytest.approx(0.1 * abs(power), rel=0.02)
+    assert table.lambda_ratio["viscosity_pa_s"] == pytest.approx(0.1 * abs(power), rel=0.02)
+
+
+def test_budget_of_a_data_sheet() -> None:
+    """Lambda ratio of the README's contact: the budget is the spread of 1,000 recorded draws."""
+    (record,) = pd.read_csv(budget.RECORD).itertuples()
+    found = budget.budget().lambda_ratio
+    assert found["total"] == pytest.approx(record.budget, rel=0.01)
+    assert found["total"] == pytest.approx(record.spread, rel=0.1)
+    assert record.draws == budget.DRAWS
+    few, beyond = budget.spread(40)  # a standard deviation of 40 draws is known within 11 %
+    assert few == pytest.approx(record.spread, rel=0.3)
+    assert beyond < 10
 
 
 def test_film_carries_errors_of_all_data() -> None:

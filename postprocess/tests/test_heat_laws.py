@@ -315,6 +315,10 @@ def test_what_no_law_knows_is_refused() -> None:
         ehlwave.Contact(**moes, heat=True)
     with pytest.raises(RangeError, match=r"slide_to_roll_ratio\) = 1.95 is outside 0 to 1.9"):
         rollers(speeds_m_per_s=(19.75, 0.25)).film()
+    thick = replace(rollers_oil(), viscosity_pa_s=0.2)
+    with pytest.raises(RangeError, match=r"Peclet number of a surface = 0\.2\d* is outside 0.3"):
+        rollers(speeds_m_per_s=(0.19, 0.011), oil=thick).film()
+    assert rollers(speeds_m_per_s=(0.38, 0.022), oil=thick).film().friction > 0
     ester = ehlwave.Oil.from_grade(iso_vg=46, kind="ester", temperature_k=333.15)
     with pytest.raises(SurfaceError, match="the oil has no conductivity_w_per_m_k"):
         rollers(oil=ester)

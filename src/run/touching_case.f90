@@ -17,7 +17,8 @@ module ehlwave_touching_case
    use ehlwave_status, only: is_success, status_converged, status_unresolved
    use ehlwave_text, only: to_text
    use ehlwave_touching_continuation, only: reach_share, reach_speed, start_steady
-   use ehlwave_touching_newton, only: set_speed, touching_solver_t
+   use ehlwave_touching_march, only: count_steps, march_touching
+   use ehlwave_touching_newton, only: touching_solver_t
    use ehlwave_touching_account_result, only: error_of, state_of, touching_values_t
    use ehlwave_touching_state, only: new_touching_law, prolonged, touching_state_t
    use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
@@ -72,7 +73,7 @@ contains
          has_coarser = result%status == status_converged
          state = steady
          if (has_coarser .and. plan%kind == run_march) then
-            call march(case, level_plan, monitor, solver, state, values(n), result)
+            call march_touching(case, level_plan, monitor, solver, state, values(n), result)
          else if (has_coarser) then
             call values(n)%take(solver, state)
          end if
@@ -90,6 +91,9 @@ contains
          call take_solution(case, plan, solver, state, result)
       end if
       result%seconds = wall_seconds() - start
+      result%work = solver%work()
+      if (allocated(solver%problem%deformation)) result%own_convolution = solver%problem%deformation%convolution
+      if (result%own_convolution > 0) result%own_units = result%work/result%own_convolution
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
       result%counted_work_units = result%work/work_unit_operations(plan%cells_x, plan%cells_y)
       result%all_work = result%work
@@ -138,7 +142,7 @@ contains
             call reach_speed(solver, state, plan%conditions%data%mean_speed_m_per_s, monitor, report)
          end if
       end if
-      call count(report, result)
+      call count_steps(report, result)
       if (is_finest .or. report%status /= status_converged) call take_report(report, 'steady state with touching', &
          result)
    end subroutine find_steady
@@ -169,66 +173,6 @@ contains
          end associate
       end do
    end function rough_at_rest
-
-   !> March in time from the steady state of smooth surfaces; mean values over the time that is measured.
-   subroutine march(case, plan, monitor, solver, state, values, result)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      class(monitor_t), intent(inout) :: monitor
-      type(touching_solver_t), intent(inout) :: solver
-      type(touching_state_t), intent(inout) :: state      !! of smooth surfaces; of the last step on return
-      type(touching_values_t), intent(out) :: values
-      type(case_result_t), intent(inout) :: result
-      type(touching_values_t) :: now
-      type(solve_report_t) :: report
-      real(dp) :: film
-      integer :: first, k, measured
-
-      film = solver%problem%grid%value_at_centre(state%h)
-      first = min(plan%first_sample + 1, plan%steps)
-      if (.not. plan%measures) first = plan%steps
-      measured = plan%steps - first + 1
-      call solver%equations%evaluate(solver%problem, solver%law, solver%given, solver%past, state)
-      call solver%equations%remember(state%theta, plan%steps_per_cell, solver%past)
-      solver%given%load%force = case%load_factor
-      result%time = [(k*plan%dt, k=1, plan%steps)]
-      result%film_history = 0*result%time
-      result%approach_history = 0*result%time
-      result%effects%touching%account%share_history = 0*result%time
-      result%effects%touching%account%area_history = 0*result%time
-      do k = 1, plan%steps
-         associate (grid => solver%problem%grid)
-            call solver%given%set_rough(plan%surfaces%rough_at(grid%x, grid%y, k*plan%dt, film))
-         end associate
-         call solver%solve(state, report)
-         call count(report, result)
-         if (report%status /= status_converged) then
-            call take_report(report, 'time step '//to_text(k)//' of '//to_text(plan%steps), result)
-            return
-         end if
-         result%residual = max(result%residual, report%residual)
-         result%load_error = max(result%load_error, report%load_error)
-         call solver%equations%remember(state%theta, plan%steps_per_cell, solver%past)
-         call now%take(solver, state)
-         result%film_history(k) = solver%problem%grid%value_at_centre(state%h)
-         result%approach_history(k) = state%delta
-         result%effects%touching%account%share_history(k) = now%share
-         result%effects%touching%account%area_history(k) = now%area
-         if (k >= first) call values%add(now, measured)
-         call monitor%step_done('time step with touching', k, plan%steps)
-         if (monitor%request /= go_on) return
-      end do
-      result%time_steps = plan%steps
-      result%mean_film = sum(result%film_history(first:))/measured
-   end subroutine march
-
-   !> Add the effort of a solution.
-   subroutine count(report, result)
-      type(solve_report_t), intent(in) :: report
-      type(case_result_t), intent(inout) :: result
-      result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
-      result%linear_steps = result%linear_steps + report%linear_steps
-   end subroutine count
 
    !> Friction coefficient of the solids, with the sign of sliding.
    elemental real(dp) function solid_friction(case, plan, share) result(friction)

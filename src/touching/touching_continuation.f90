@@ -31,7 +31,8 @@ contains
       share = load_factor*solver%problem%grid%integral(state%c)/solver%given%load%force
    end function share_of
 
-   !> A first state: at the given speed if found from the Hertz pressure, else at a small share.
+   !> A first state: at the given speed if found from the Hertz pressure of the oil or of the solids, else at a small
+   !> share.
    subroutine start_steady(solver, state, report)
       type(touching_solver_t), intent(inout) :: solver
       type(touching_state_t), intent(out) :: state
@@ -48,6 +49,13 @@ contains
          call solver%solve(state, report)
          steps = steps + report%nonlinear_steps
          if (report%status == status_converged) exit
+         if (n == 1) then
+            call begin(state)
+            call state%run_dry()
+            call solver%solve(state, report)
+            steps = steps + report%nonlinear_steps
+            if (report%status == status_converged) exit
+         end if
          call begin(state)
          call solver%solve(state, report, first_share)
          steps = steps + report%nonlinear_steps

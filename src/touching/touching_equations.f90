@@ -27,6 +27,9 @@ module ehlwave_touching_equations
    ! capacity at a face over its node's, where the gap opens steeply
    real(dp), parameter :: least_face = 0.25_dp
 
+   ! film over the boundary film, below which no film falls on the way to a solution
+   real(dp), parameter :: least_film = 0.5_dp
+
    !> Oil that the steps before pass on along the characteristics.
    type, public :: touching_past_t
       real(dp), allocatable :: f(:, :, :)        !! rho H at T - n dT, (0:nx, 0:ny, steps of a cell)
@@ -83,7 +86,7 @@ contains
 
       call problem%film(given, state%p + state%c, state%delta, self%gap)
       state%h = self%gap
-      if (.not. law%is_soft) where (state%is_touching) state%h = law%film
+      if (.not. law%is_soft) state%h = merge(law%film, max(self%gap, least_film*law%film), state%is_touching)
       call problem%edges%impose(given, state%h, state%p)
       call self%evaluate_flow(problem, state%p, state%h)
       call driven_flow(self%mesh, self%flow, self%residual)

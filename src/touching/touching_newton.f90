@@ -7,21 +7,23 @@ module ehlwave_touching_newton
    use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
+   use ehlwave_real_gmres, only: gmres_t
    use ehlwave_reynolds, only: driven_flow
    use ehlwave_solve_report, only: mass_gain, solve_report_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
    use ehlwave_touching_change, only: new_change, touching_change_t
-   use ehlwave_touching_direct, only: solve_directly
    use ehlwave_touching_equations, only: touching_equations_t, touching_past_t
    use ehlwave_touching_state, only: touching_law_t, touching_state_t
+   use ehlwave_touching_steps, only: touch_first, touching_steps_t
+   use ehlwave_touching_system, only: touching_system_t
+   use ehlwave_work_unit, only: evaluation_operations
    implicit none (type, external)
    private
    public :: set_speed
 
-   real(dp), parameter :: largest_change_p = 0.3_dp      !! of P in a step
-   real(dp), parameter :: largest_change_speed = 0.3_dp  !! of ln(speed)
-   real(dp), parameter :: largest_change_c = 2           !! of ln(C), soft law
    real(dp), parameter :: small_speed_step = 1e-6_dp     !! of ln(speed), for its derivative
+   real(dp), parameter :: loose = 1e-2_dp, tight = 1e-3_dp   !! tolerance of linear solutions while sets change, or not
+   integer, parameter :: largest_krylov = 150            !! linear steps of a solution
 
    !> A contact on one grid, with what it is given.
    type, public :: touching_solver_t
@@ -32,9 +34,13 @@ module ehlwave_touching_newton
       type(touching_equations_t) :: equations    !! at the state last solved for
       real(dp) :: tolerance = 1e-10_dp           !! of the residuals of all equations
       integer :: largest_steps = 60
+      type(touching_system_t), private :: system
+      type(gmres_t), private :: gmres
    contains
       procedure :: begin
       procedure :: solve
+      procedure :: work
+      procedure, private :: count_work
    end type touching_solver_t
 
 contains
@@ -43,6 +49,7 @@ contains
    subroutine begin(self)
       class(touching_solver_t), intent(inout) :: self
       call self%equations%init(self%problem)
+      call self%system%init(self%problem)
    end subroutine begin
 
    !> Conditions of the same contact at another speed.
@@ -64,47 +71,67 @@ contains
 
    !> Solve from the state at hand. With a share the speed is found at which the solids bear it.
    subroutine solve(self, state, report, share)
-      class(touching_solver_t), intent(inout) :: self
-      type(touching_state_t), intent(inout) :: state
+      class(touching_solver_t), intent(inout), target :: self
+      type(touching_state_t), intent(inout), target :: state
       type(solve_report_t), intent(out) :: report
       real(dp), intent(in), optional :: share    !! of the load
       type(touching_change_t) :: change, sides
-      integer :: changed
-      logical :: is_singular
+      type(touching_steps_t) :: steps
 
       change = new_change(self%problem%grid)
       sides = new_change(self%problem%grid)
       sides%seeks_speed = present(share)
       if (sides%seeks_speed .and. .not. any(state%is_touching)) call touch_first(state)
-      changed = 1
       do
          call set_speed(self%problem, state%speed)
          call self%equations%evaluate(self%problem, self%law, self%given, self%past, state)
+         call self%count_work(real(evaluation_operations, dp)*size(state%p))
          call find_sides(self, state, sides, share)
          call judge(self, state, sides, report)
          if (report%status == status_not_finite) exit
-         if (report%status == status_converged .and. changed == 0) exit
+         if (report%status == status_converged .and. steps%are_settled) exit
          report%status = status_stalled
          if (report%nonlinear_steps == self%largest_steps) exit
          call self%equations%linearise(self%past, state)
          if (sides%seeks_speed) call differentiate_by_speed(self, state, sides)
-         call solve_directly(self%problem, self%law, self%equations, state, sides, change, is_singular)
-         if (is_singular) exit
-         call take_step(self, state, change, changed)
+         call solve_linear(self, state, sides, merge(tight, loose, steps%are_settled), change, report)
+         call steps%take(self%problem, self%law, self%given, allocated(self%past%f), change, self%equations%gap, state)
          report%nonlinear_steps = report%nonlinear_steps + 1
       end do
    end subroutine solve
 
-   !> Let the solids touch where the film is thinnest, so that there is a node to bear the share.
-   subroutine touch_first(state)
-      type(touching_state_t), intent(inout) :: state
-      integer :: node(2)
-      associate (n => shape(state%h))
-         node = minloc(state%h(1:n(1) - 2, :)) + [0, -1]
-      end associate
-      state%is_touching(node(1), node(2)) = .true.
-      state%c(node(1), node(2)) = 1e-3_dp
-   end subroutine touch_first
+   !> Change of a step of Newton's method.
+   subroutine solve_linear(self, state, sides, tolerance, change, report)
+      class(touching_solver_t), intent(inout), target :: self
+      type(touching_state_t), intent(in), target :: state
+      type(touching_change_t), intent(in) :: sides
+      real(dp), intent(in) :: tolerance          !! relative
+      type(touching_change_t), intent(inout) :: change
+      type(solve_report_t), intent(inout) :: report
+      real(dp), allocatable :: b(:), x(:)
+
+      call self%system%pose(self%problem, self%law, self%equations, .not. allocated(self%past%f), state, sides)
+      allocate (b(self%system%n), x(self%system%n))
+      call self%system%residuals(sides, b)
+      self%gmres%largest_steps = largest_krylov
+      call self%gmres%solve(self%system, b, x, tolerance)
+      report%linear_steps = report%linear_steps + self%gmres%steps
+      call self%system%changes(x, change)
+      call self%system%release()
+   end subroutine solve_linear
+
+   !> Operations so far, see `ehlwave_work_unit`.
+   pure real(dp) function work(self)
+      class(touching_solver_t), intent(in) :: self
+      work = 0
+      if (allocated(self%problem%deformation)) work = self%problem%deformation%work
+   end function work
+
+   subroutine count_work(self, operations)
+      class(touching_solver_t), intent(inout) :: self
+      real(dp), intent(in) :: operations
+      self%problem%deformation%work = self%problem%deformation%work + operations
+   end subroutine count_work
 
    !> Residuals of all equations.
    subroutine find_sides(self, state, sides, share)
@@ -164,53 +191,5 @@ contains
          call equations%evaluate_flow(problem, state%p, state%h)
       end associate
    end subroutine differentiate_by_speed
-
-   !> Take a limited step and choose the sets anew. Solids leave where C < 0 and bear where the gap is below the
-   !> boundary
-   !> film; the film breaks where P < 0 and is full where theta > 1.
-   subroutine take_step(self, state, change, changed)
-      class(touching_solver_t), intent(inout) :: self
-      type(touching_state_t), intent(inout) :: state
-      type(touching_change_t), intent(in) :: change
-      integer, intent(out) :: changed            !! nodes that went from one set to another
-      logical, dimension(0:self%problem%grid%nx, 0:self%problem%grid%ny) :: bears, breaks, is_unknown
-      real(dp) :: part
-
-      associate (grid => self%problem%grid, law => self%law)
-         is_unknown = .false.
-         is_unknown(1:grid%nx - 1, grid%first_row:grid%last_row) = .true.
-         part = 1
-         part = min(part, largest_change_p/max(tiny(part), maxval(abs(change%p), mask=.not. state%is_cavitated)))
-         part = min(part, largest_change_speed/max(tiny(part), abs(change%ln_speed)))
-         where (state%is_cavitated)
-            state%theta = state%theta + part*change%p
-         elsewhere
-            state%p = state%p + part*change%p
-         end where
-         if (law%is_soft) then
-            where (state%is_touching) state%c = state%c*exp(max(-largest_change_c, min(largest_change_c, &
-                                                                                       part*change%c/state%c)))
-         else
-            state%c = state%c + part*change%c
-         end if
-         state%delta = state%delta + part*change%delta
-         state%speed = state%speed*exp(part*change%ln_speed)
-         call self%problem%film(self%given, max(state%p, 0.0_dp) + state%c, state%delta, self%equations%gap)
-         breaks = is_unknown .and. merge(state%theta <= 1, state%p < 0, state%is_cavitated)
-         if (law%is_soft) then
-            bears = is_unknown .and. law%touches(self%equations%gap)
-            where (bears .and. .not. state%is_touching) state%c = law%stress*exp((law%film - self%equations%gap) &
-                                                                                 /law%softness)
-         else
-            bears = is_unknown .and. merge(state%c > 0, law%touches(self%equations%gap), state%is_touching)
-         end if
-         changed = count(bears .neqv. state%is_touching) + count(breaks .neqv. state%is_cavitated)
-         state%is_touching = bears
-         state%is_cavitated = breaks
-      end associate
-      where (.not. bears) state%c = 0
-      where (breaks .or. state%p < 0) state%p = 0
-      where (.not. breaks) state%theta = 1
-   end subroutine take_step
 
 end module ehlwave_touching_newton

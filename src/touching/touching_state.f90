@@ -28,6 +28,8 @@ module ehlwave_touching_state
       real(dp) :: delta = 0                        !! mutual approach
       real(dp) :: speed = 0                        !! mean speed, m/s
       logical, allocatable :: is_touching(:, :), is_cavitated(:, :)
+   contains
+      procedure :: run_dry
    end type touching_state_t
 
    real(dp), parameter :: faint = 25               !! softnesses above the boundary film beyond which C counts as 0
@@ -81,6 +83,14 @@ contains
       state%h = state%h - state%delta
       state%speed = problem%conditions%data%mean_speed_m_per_s
    end subroutine hertz_state
+
+   !> Let the solids bear all the pressure.
+   subroutine run_dry(self)
+      class(touching_state_t), intent(inout) :: self
+      self%is_touching = self%p > 0
+      self%c = self%p
+      self%p = 0
+   end subroutine run_dry
 
    !> A full gap without pressure.
    subroutine make_room(grid, state)

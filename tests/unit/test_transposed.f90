@@ -64,8 +64,8 @@ contains
          call linear%borrow(levels)
          allocate (ax(linear%n), aty(linear%n), y(linear%n))
          y = [(noise(i, 3), i=1, linear%n)]
-         call linear%precondition(y(linear%n:1:-1), ax)         ! zero where the pressure is known
-         x = ax
+         call linear%precondition(y(linear%n:1:-1), ax)         ! zero where the pressure is known,
+         x = merge(0*ax, ax, [reshape(linear%levels(2)%equations%is_cavitated, [linear%n - 1]), .false.])
          call linear%multiply(x, ax)
          linear%is_transposed = .true.
          call linear%multiply(y, aty)
@@ -99,7 +99,7 @@ contains
          allocate (ax(linear%n), aty(linear%n), y(linear%n))
          y = [(cmplx(noise(i, 3), noise(3, i), dp), i=1, linear%n)]
          call linear%precondition(y(linear%n:1:-1), ax)
-         x = ax
+         x = merge(0*ax, ax, [reshape(linear%levels(2)%equations%is_cavitated, [linear%n - 1]), .false.])
          call linear%multiply(x, ax)
          linear%is_transposed = .true.
          call linear%multiply(y, aty)

@@ -284,6 +284,16 @@ class Heat(TestCase):
             report(f"S = {slip}: rises up to {np.max(apart[0]):.1f} and {np.max(apart[1]):.1f} K, "
                    f"at most {off[0]:.2%} and {off[1]:.2%} of these apart")
 
+    def test_slow_surfaces_in_marches(self):
+        """Marches that carry temperatures warn of slow surfaces; steady states have no such limit."""
+        for heat, warns in (({"wave_temperatures": "carried"}, True), ({}, False)):
+            given = wavy_line("eyring", {"response": "transient", "amplitude_over_film": 0.01}, heat)
+            given["conditions"]["slip_parameter"] = 1.97
+            given["grid"]["cells_x"] = 128
+            given["solver"] = {"step_tolerance": 1e-4}
+            result = solve(**given)
+            self.assertEqual("is slow, Peclet number" in result["warning"], warns, heat)
+
     def test_walls_over_mesh(self):
         """Rises of slow surfaces converge at least as fast as 2.5 a halving of the mesh size."""
         rises = [solve(**warm_ball(1.99, cells))["central_rise_wall_2_k"] for cells in (48, 96, 192)]

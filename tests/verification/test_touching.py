@@ -201,6 +201,30 @@ class Ball(FolderTest):
         again = solve(**self.GROUPS | {"grid": grid, "conditions": conditions})
         self.check_close(again["touching_share"], 0.5, 1e-6, "share")
 
+    def march(self, cells=48, amplitude_m=2e-7, slip=1, speed=0.1, touching=True, orientation="isotropic", **groups):
+        conditions = self.GROUPS["conditions"] | {"mean_speed_m_per_s": speed, "slip_parameter": slip}
+        grid = self.GROUPS["grid"] | {"cells_x": cells, "cells_y": cells}
+        wave = {"orientation": orientation, "wavelength_over_a": 1, "amplitude_m": amplitude_m}
+        groups = self.GROUPS | {"conditions": conditions, "grid": grid, "waviness": wave, "solver": {"scheme": "averaged"}} | groups
+        return solve(**{name: keys for name, keys in groups.items() if touching or name != "touching"})
+
+    def test_march(self):
+        """Marches of a ball with isotropic waves that touch, in rolling and sliding, of a Newtonian and a Ree-Eyring oil."""
+        eyring = self.GROUPS["lubricant"] | {"flow_law": "eyring", "eyring_stress_pa": 1e7}
+        for slip, lubricant in ((1, self.GROUPS["lubricant"]), (1.5, eyring)):
+            found = self.march(slip=slip, speed=0.05, lubricant=lubricant)
+            self.assertGreater(found["touching_share"], 0.01)
+            self.assertLess(found["residual"], 1e-9)
+            self.assertEqual(found["touching_meshes"], 2)
+            self.assertGreater(found["counted_work_units"], 0)
+
+    def test_full_film_march(self):
+        """A film thicker than the waves: the mean film of the march without touching."""
+        full = self.march(amplitude_m=2e-8, speed=1, touching=False)
+        found = self.march(amplitude_m=2e-8, speed=1)
+        self.assertEqual(found["touching_share"], 0)
+        self.check_close(found["mean_film"], full["mean_film"], 1e-4, "mean film")
+
 
 class Refusals(FolderTest):
     def refuse(self, text, groups):
@@ -215,8 +239,6 @@ class Refusals(FolderTest):
         self.refuse("amplitude_m", groups_of(128, waviness={"orientation": "transverse", "wavelength_over_a": 0.5}))
         self.refuse("remove share", groups_of(128, slip=1, waviness=WAVE, share=0.5))
         self.refuse("response", groups_of(128, slip=1, waviness=WAVE | {"response": "harmonic"}))
-        ball = Ball.GROUPS | {"grid": Ball.GROUPS["grid"] | {"cells_x": 192}}
-        self.refuse("96 by 96", ball)
         self.refuse("oil_over_flooded", groups_of(128) | {"inlet": {"oil_over_flooded": 1}})
 
 

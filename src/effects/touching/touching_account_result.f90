@@ -35,7 +35,8 @@ module ehlwave_touching_account_result
       real(dp) :: solid_friction = no_value        !! friction coefficient of the solids
       real(dp) :: mass_error = no_value            !! largest mass residual
       integer :: meshes = 0                        !! that the errors are from
-      real(dp), allocatable :: share_history(:), area_history(:)   !! of the steps of a march
+      ! of the steps of a march:
+      real(dp), allocatable, dimension(:) :: share_history, area_history, friction_history, mean_film_history
       real(dp), allocatable :: c(:, :), theta(:, :)               !! fields of the last solution
    contains
       procedure :: estimate

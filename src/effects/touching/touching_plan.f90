@@ -9,8 +9,6 @@ module ehlwave_touching_plan
    implicit none (type, external)
    private
 
-   integer, parameter :: most_cells = 96**2    !! of an elliptical contact: the matrix is full
-
    type, extends(effect_plan_t), public :: touching_plan_t
    contains
       procedure, nopass :: complete
@@ -56,17 +54,6 @@ contains
          amplitude(case%second)) <= 0) &
          then
          call refuse('&waviness amplitude_over_film', 'takes waves at rest whose height is known: give amplitude_m')
-      else if (case%radius_ratio_d > 0 .and. case%marches()) then
-         call refuse('the contact has two dimensions and is marched', 'marches line contacts: give load_n_per_m in '// &
-            'place of load_n and radius_y_m, or let the rough surface rest')
-      else if (case%radius_ratio_d > 0 .and. min(case%cells_x, case%cells_y) <= 0) then
-         call refuse('&grid leaves the cells to the plan', 'takes elliptical contacts whose cells are given: at '// &
-            'most '// &
-            '96 by 96')
-      else if (case%radius_ratio_d > 0 .and. case%cells_x*case%cells_y > most_cells) then
-         call refuse('&grid has '//to_text(case%cells_x)//' by '//to_text(case%cells_y)//' cells', &
-            'solves elliptical '// &
-            'contacts by a full matrix: give at most 96 by 96')
       else if (case%effects%heat%is_given()) then
          call refuse('&heat is given', 'is isothermal, as the heat of sliding solids is not built: remove &heat')
       else if (case%effects%starvation%is_given() .or. case%effects%starvation%oil_profile /= '') then

@@ -38,6 +38,10 @@ contains
                'share of the load on the solids', 'time')
             call file%write('touching_area_over_time', touching%area_history, '1', &
                'area where the solids bear over the Hertz area', 'time')
+            call file%write('oil_friction_over_time', touching%friction_history, '1', &
+               'friction of the oil over the load', 'time')
+            call file%write('mean_film_over_time', touching%mean_film_history, '1', &
+               'mean of H of the oil in the Hertz contact', 'time')
          end if
          if (.not. allocated(touching%c)) return
          call file%write('contact_pressure', touching%c, '1', 'C = c/ph, pressure of the solids, last solution', &

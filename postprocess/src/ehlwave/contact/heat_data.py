@@ -42,6 +42,18 @@ class BodyHeat(NamedTuple):
         conducted, density, capacity = self
         return float((conducted * density * capacity) ** 0.5)
 
+    def peclet(self, speed_length: float) -> float:
+        """Return u a rho c/(2 k), motion against conduction along it, for u a in m2/s.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> round(ehlwave.BodyHeat().peclet(2.0 * 1.9e-4), 1)
+        15.2
+        """
+        conducted, density, capacity = self
+        return speed_length * density * capacity / (2 * conducted)
+
 
 SOFT_STEEL = BodyHeat()
 CONDUCTIVITY_ERROR = "oil_conductivity_error"

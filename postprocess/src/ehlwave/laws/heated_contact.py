@@ -14,6 +14,7 @@ ROLLING_RANGES = RANGES | {
     "hertz_pressure_pa": (3e8, 3.5e9),
     "film over Hertz approach": inlet.FILM_RANGE,
     "eta0 beta u^2/k": inlet.LOADING_RANGE,
+    "Peclet number of a surface": (0.0, np.inf),
 }
 """Ranges of contacts in pure rolling, where the warm inlet alone thins the film."""
 LINE_RANGES = RANGES | {
@@ -78,6 +79,7 @@ def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float |
         "film over Hertz approach": [film_m / float(conditions.hertz_approach_c_m or np.nan)],
         "eta0 beta u^2/k": [loading_of(conditions, heat)],
         "effusivity of a body": [body.effusivity for body in heat.bodies],
+        "Peclet number of a surface": _peclet_numbers(conditions, heat),
     }
     rolls = conditions.slip_parameter == 1
     ranges = ROLLING_RANGES if rolls else LINE_RANGES if conditions.is_line else RANGES
@@ -89,6 +91,14 @@ def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float |
     lowest = inlet.LOWEST_D if rolls else LOWEST_RATIO
     if 0 < conditions.d < lowest:
         raise RangeError(_outside("radius_ratio_d", conditions.d, f"{lowest:g} to 1, or 0"))
+
+
+def _peclet_numbers(conditions: Conditions, heat: Heat) -> list[float]:
+    """Return u a rho c/(2 k) of both surfaces: their motion against conduction along it."""
+    mean = float(dict(conditions.given)["mean_speed_m_per_s"])
+    product = mean * float(conditions.semi_axis_a_m or np.nan)
+    shares = (conditions.slip_parameter, 2 - conditions.slip_parameter)
+    return [body.peclet(s * product) for body, s in zip(heat.bodies, shares, strict=True)]
 
 
 def _outside(name: str, value: float, range_text: str) -> str:

@@ -1,0 +1,127 @@
+!> March of a contact whose surfaces may touch, and mean values over the time that is measured.
+module ehlwave_touching_march
+   use ehlwave_case_account, only: take_report
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_planned_case, only: case_plan_t
+   use ehlwave_solve_report, only: solve_report_t
+   use ehlwave_status, only: status_converged
+   use ehlwave_text, only: to_text
+   use ehlwave_touching_account_result, only: touching_values_t
+   use ehlwave_touching_newton, only: touching_solver_t
+   use ehlwave_touching_state, only: touching_state_t
+   implicit none (type, external)
+   private
+   public :: count_steps, march_touching
+
+   integer, parameter :: most_cuts = 4   !! halvings of the change of the roughness in a step
+
+contains
+
+   !> March in time from the steady state of smooth surfaces; mean values over the time that is measured.
+   subroutine march_touching(case, plan, monitor, solver, state, values, result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      class(monitor_t), intent(inout) :: monitor
+      type(touching_solver_t), intent(inout) :: solver
+      type(touching_state_t), intent(inout) :: state      !! of smooth surfaces; of the last step on return
+      type(touching_values_t), intent(out) :: values
+      type(case_result_t), intent(inout) :: result
+      type(touching_values_t) :: now
+      type(solve_report_t) :: report
+      real(dp) :: film
+      integer :: first, k, measured
+
+      film = solver%problem%grid%value_at_centre(state%h)
+      first = min(plan%first_sample + 1, plan%steps)
+      if (.not. plan%measures) first = plan%steps
+      measured = plan%steps - first + 1
+      call solver%equations%evaluate(solver%problem, solver%law, solver%given, solver%past, state)
+      call solver%equations%remember(state%theta, plan%steps_per_cell, solver%past)
+      solver%given%load%force = case%load_factor
+      call begin_histories(plan, result)
+      do k = 1, plan%steps
+         associate (grid => solver%problem%grid)
+            call take_step(solver, state, plan%surfaces%rough_at(grid%x, grid%y, k*plan%dt, film), report)
+         end associate
+         call count_steps(report, result)
+         if (report%status /= status_converged) then
+            call take_report(report, 'time step '//to_text(k)//' of '//to_text(plan%steps), result)
+            return
+         end if
+         result%residual = max(result%residual, report%residual)
+         result%load_error = max(result%load_error, report%load_error)
+         call solver%equations%remember(state%theta, plan%steps_per_cell, solver%past)
+         call now%take(solver, state)
+         result%film_history(k) = solver%problem%grid%value_at_centre(state%h)
+         result%approach_history(k) = state%delta
+         associate (account => result%effects%touching%account)
+            account%share_history(k) = now%share
+            account%area_history(k) = now%area
+            account%friction_history(k) = now%friction_oil
+            account%mean_film_history(k) = now%mean_film
+         end associate
+         if (k >= first) call values%add(now, measured)
+         call monitor%step_done('time step with touching', k, plan%steps)
+         if (monitor%request /= go_on) return
+      end do
+      result%time_steps = plan%steps
+      result%mean_film = sum(result%film_history(first:))/measured
+   end subroutine march_touching
+
+   !> Make room for the values of all steps.
+   subroutine begin_histories(plan, result)
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t), intent(inout) :: result
+      integer :: k
+      result%time = [(k*plan%dt, k=1, plan%steps)]
+      result%film_history = 0*result%time
+      result%approach_history = 0*result%time
+      associate (account => result%effects%touching%account)
+         account%share_history = 0*result%time
+         account%area_history = 0*result%time
+         account%friction_history = 0*result%time
+         account%mean_film_history = 0*result%time
+      end associate
+   end subroutine begin_histories
+
+   !> A step to another roughness. Where Newton's method fails, the roughness changes in parts.
+   subroutine take_step(solver, state, rough, report)
+      type(touching_solver_t), intent(inout) :: solver
+      type(touching_state_t), intent(inout) :: state
+      real(dp), intent(in) :: rough(0:, 0:)
+      type(solve_report_t), intent(out) :: report
+      type(touching_state_t) :: before
+      real(dp), allocatable :: rough_before(:, :)
+      integer :: cut, linear_steps, m, steps
+
+      before = state
+      rough_before = solver%given%rough
+      linear_steps = 0
+      steps = 0
+      do cut = 0, most_cuts
+         if (cut > 0) state = before
+         do m = 1, 2**cut
+            call solver%given%set_rough(rough_before + (m*0.5_dp**cut)*(rough - rough_before))
+            call solver%solve(state, report)
+            steps = steps + report%nonlinear_steps
+            linear_steps = linear_steps + report%linear_steps
+            if (report%status /= status_converged) exit
+         end do
+         if (report%status == status_converged) exit
+      end do
+      report%nonlinear_steps = steps
+      report%linear_steps = linear_steps
+   end subroutine take_step
+
+   !> Add the effort of a solution.
+   subroutine count_steps(report, result)
+      type(solve_report_t), intent(in) :: report
+      type(case_result_t), intent(inout) :: result
+      result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
+      result%linear_steps = result%linear_steps + report%linear_steps
+   end subroutine count_steps
+
+end module ehlwave_touching_march

@@ -1,0 +1,155 @@
+!> The linear system of contacts whose surfaces touch: products against differences of the residuals, and its solution.
+program test_touching_system
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_given, only: given_t, steady_given
+   use ehlwave_grid, only: new_grid, new_line_grid
+   use ehlwave_kinds, only: dp
+   use ehlwave_load_balance, only: load_factor
+   use ehlwave_real_gmres, only: gmres_t, norm
+   use ehlwave_touching_change, only: new_change, touching_change_t
+   use ehlwave_touching_equations, only: touching_equations_t, touching_past_t
+   use ehlwave_touching_state, only: hertz_state, touching_law_t, touching_state_t
+   use ehlwave_touching_system, only: touching_system_t
+   use sample_contact, only: make_conditions, make_rheology, noise
+   use testing, only: test_t
+   implicit none (type, external)
+
+   real(dp), parameter :: step = 1e-6_dp
+   type(test_t) :: test
+   type(contact_problem_t), target :: problem
+   type(touching_equations_t), target :: equations
+   type(touching_past_t) :: past
+   type(touching_state_t), target :: state
+   type(touching_system_t) :: system
+   type(touching_law_t) :: law
+   type(given_t) :: given
+
+   call check('steady line', is_line=.true., marches=.false., is_half=.false.)
+   call check('marched line', is_line=.true., marches=.true., is_half=.false.)
+   call check('steady ellipse', is_line=.false., marches=.false., is_half=.true.)
+   call check('marched ellipse', is_line=.false., marches=.true., is_half=.false.)
+   call test%finish()
+
+contains
+
+   subroutine check(name, is_line, marches, is_half)
+      character(len=*), intent(in) :: name
+      logical, intent(in) :: is_line, marches, is_half
+      type(touching_change_t) :: sides
+      type(gmres_t) :: gmres
+      real(dp), allocatable :: b(:), x(:), y(:)
+
+      call make_state(is_line, marches, is_half)
+      call equations%evaluate(problem, law, given, past, state)
+      call equations%linearise(past, state)
+      sides = new_change(problem%grid)
+      call system%pose(problem, law, equations, .not. marches, state, sides)
+      allocate (b(system%n), x(system%n), y(system%n))
+      sides%p = equations%residual
+      sides%delta = 0.1_dp
+      where (state%is_touching) sides%c = noise(size(sides%c, 1), size(sides%c, 2))
+      call system%residuals(sides, b)
+      gmres%largest_steps = 40
+      call gmres%solve(system, b, x, 1e-6_dp)
+      call test%check(gmres%reduction <= 1e-6_dp, name//': solved in 40 steps')
+      call system%multiply(x, y)
+      call test%check(norm(y - b) <= 1e-5_dp*norm(b), name//': the solution solves the system')
+      call shorten(x)
+      call system%multiply(x, y)
+      call compare(name, x, y)
+      call system%release()
+   end subroutine check
+
+   !> Unknowns of a random change, in the form of a solution.
+   subroutine shorten(x)
+      real(dp), intent(inout), contiguous, target :: x(:)
+      real(dp), pointer, contiguous :: u(:, :)
+      integer :: k
+      u(0:problem%grid%nx, 0:problem%grid%ny) => x(:size(state%p))
+      u = 0
+      associate (grid => problem%grid)
+         u(1:grid%nx - 1, grid%first_row:grid%last_row) = noise(grid%nx - 1, grid%last_row - grid%first_row + 1)
+      end associate
+      do k = size(state%p) + 1, size(x)
+         x(k) = 0.01_dp*modulo(k, 7)
+      end do
+      x(size(x)) = 0
+   end subroutine shorten
+
+   !> Solids bear inside the contact, and the film is broken behind it.
+   subroutine make_state(is_line, marches, is_half)
+      logical, intent(in) :: is_line, marches, is_half
+      type(conditions_t) :: conditions
+      integer :: j
+
+      if (allocated(problem%deformation)) deallocate (problem%deformation)   ! of a line or an ellipse
+      conditions = make_conditions(200.0_dp, merge(0.0_dp, 1.0_dp, is_line))
+      if (is_line) then
+         call problem%init(new_line_grid(-2.5_dp, 1.5_dp, 48), conditions, make_rheology(conditions))
+      else
+         call problem%init(new_grid(-2.5_dp, 1.5_dp, 2.0_dp, 32, 24, is_half), conditions, make_rheology(conditions))
+      end if
+      given = steady_given(problem%grid)
+      call hertz_state(problem, 0.2_dp, 0*problem%smooth_gap, state)
+      law%film = 0.1_dp
+      associate (grid => problem%grid)
+         do j = grid%first_row, grid%last_row
+            state%is_touching(:, j) = abs(grid%x) + abs(grid%y(j)) < 0.5_dp .and. modulo(nint(8*grid%x), 3) /= 0
+            state%is_cavitated(:, j) = grid%x > 1.05_dp .and. grid%x < 1.45_dp
+         end do
+         state%p = max(state%p, 0.02_dp)
+         state%p(0, :) = 0
+         state%p(grid%nx, :) = 0
+         if (.not. is_line) state%p(:, grid%ny) = 0
+         if (.not. (is_line .or. is_half)) state%p(:, 0) = 0
+      end associate
+      where (state%is_cavitated) state%p = 0
+      where (state%is_cavitated) state%theta = 0.7_dp
+      where (state%is_touching) state%c = 0.1_dp
+      call system%init(problem)
+      call equations%init(problem)
+      if (allocated(past%f)) deallocate (past%f, past%passed)
+      if (.not. marches) return
+      call equations%evaluate(problem, law, given, past, state)
+      call equations%remember(state%theta, 1, past)
+   end subroutine make_state
+
+   !> The product with a change is the difference of the residuals over a short part of the change.
+   subroutine compare(name, x, product)
+      character(len=*), intent(in) :: name
+      real(dp), intent(in) :: x(:), product(:)
+      type(touching_change_t) :: change
+      real(dp), allocatable :: after(:, :), before(:, :), gap(:, :)
+      real(dp) :: part
+
+      change = new_change(problem%grid)
+      call system%changes(x, change)
+      part = step/max(maxval(abs(change%p)), maxval(abs(change%c)), abs(change%delta))
+      call move(change, -part)
+      call equations%evaluate(problem, law, given, past, state)
+      before = equations%residual
+      gap = equations%gap
+      call move(change, 2*part)
+      call equations%evaluate(problem, law, given, past, state)
+      after = equations%residual
+      after = (after - before)/(2*part)*problem%grid%hx
+      before = reshape(product(:size(after)), shape(after))
+      call test%check(maxval(abs(after - before)) <= 1e-4_dp*maxval(abs(before)), name//': rows of the oil')
+      gap = (equations%gap - gap)/(2*part)
+      call test%check_close(pack(gap, state%is_touching), product(size(after) + 1:size(product) - 2), &
+         name//': rows of the gap', absolute=1e-4_dp*maxval(abs(gap)))
+      call test%check_close(load_factor*problem%grid%integral(change%p*merge(0, 1, state%is_cavitated) + change%c), &
+         product(size(product) - 1), name//': load', relative=1e-9_dp)
+   end subroutine compare
+
+   subroutine move(change, part)
+      type(touching_change_t), intent(in) :: change
+      real(dp), intent(in) :: part
+      state%p = state%p + part*merge(0.0_dp, change%p, state%is_cavitated)
+      state%theta = state%theta + part*merge(change%p, 0.0_dp, state%is_cavitated)
+      state%c = state%c + part*change%c
+      state%delta = state%delta + part*change%delta
+   end subroutine move
+
+end program test_touching_system
