@@ -1,5 +1,6 @@
 """Answers of the page without the page: numbers, contacts, files, threads."""
 
+import asyncio
 import io
 import json
 import threading
@@ -11,7 +12,7 @@ from app_traces import examples
 from contact import BALL
 
 import ehlwave
-from ehlwave.app import quantities
+from ehlwave.app import page, quantities
 from ehlwave.app.contacts import Given, made, source
 from ehlwave.app.quantities import in_si
 from ehlwave.app.saving import document, script
@@ -219,6 +220,18 @@ def test_large_surfaces_do_not_keep_small_ones_waiting() -> None:
         slow = [pools.of(SMALL_BYTES + 1).submit(held.wait, 60) for _ in range(5)]
         assert pools.of(0).submit(lambda: 42).result(60) == 42
         assert not any(one.done() for one in slow)
+    finally:
+        held.set()
+        pools.close()
+
+
+def test_an_answer_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    pools, held = Pools(workers=1), threading.Event()
+    monkeypatch.setattr(page, "LONGEST_S", 0.1)
+    monkeypatch.setattr(page, "answered", lambda task: held.wait(60))
+    try:
+        with pytest.raises(SurfaceError, match="no answer within"):
+            asyncio.run(page.Page(pools)._worked(Task(Given(BALL | {"load_n": 40.0}), None)))
     finally:
         held.set()
         pools.close()

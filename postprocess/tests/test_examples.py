@@ -35,8 +35,13 @@ needs_programs = pytest.mark.skipif(not has_programs(), reason="the programs are
 
 
 def said_by(name: str, *arguments: str) -> str:
-    """Return the output of an example; anything on stderr, such as a warning, fails."""
-    command = [sys.executable, "-W", "error", str(EXAMPLES / name), *arguments]
+    """Return the output of an example; anything on stderr, such as a warning, fails.
+
+    Deprecations inside other libraries are hidden, as Python hides them.
+    """
+    filters = ("error", "ignore::DeprecationWarning", "error::DeprecationWarning:__main__")
+    options = [word for text in filters for word in ("-W", text)]
+    command = [sys.executable, *options, str(EXAMPLES / name), *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (done.returncode, done.stderr) == (0, "")
     return done.stdout

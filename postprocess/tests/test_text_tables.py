@@ -60,6 +60,26 @@ def test_columns_are_chosen_by_words_and_units(
     assert "columns: positions" in found.notes[0] or "columns: positions" in " ".join(found.notes)
 
 
+@pytest.mark.parametrize(
+    "heading",
+    [
+        *(
+            "Z [10^-3 mm]",
+            "Z [\u00d710⁻³ mm]",
+            "Z [0.1 um]",
+            "Z [0,1 µm]",
+            "Z [1e-6 m]",
+            "Z x1000 [um]",
+        ),
+        *("Z [1/1000 mm]", "Z in 10 nm", "Z*1000 um", "Z 1000 um", "Z*1e3 [um]", "Z [um x 10]"),
+    ],
+)
+def test_multiples_of_a_unit_are_asked(tmp_path: Path, heading: str) -> None:
+    text = f"X [mm];{heading}\n" + table(X_MM, 1e-3 * Z_UM)  # a slope that any unit may have
+    with pytest.raises(SurfaceError, match="in which unit its heights are"):
+        read(tmp_path, text)
+
+
 def test_two_columns_that_can_be_the_height_are_asked(tmp_path: Path) -> None:
     text = "X [mm];Profile 1 [um];Profile 2 [um]\n" + table(X_MM, Z_UM, 2 * Z_UM)
     with pytest.raises(SurfaceError, match=r"'Profile 1 \[um\]', 'Profile 2 \[um\]': say which"):
@@ -164,6 +184,11 @@ HEADS = {
     "words": "Profile of the ring\n" * 50_000,
     "separators": ";" * 1_000_000 + "\n",
     "tabs": "\t\n" * 500_000 + "a\tb\n" * 10,
+    "carriage returns": "\r" * 1_000_000 + "\n",
+    "exponents": "1e" * 500_000 + "x\n",
+    "statements of units": "height unit: um, length unit: mm\n" * 31_000,
+    "open brackets": "x [" * 333_000 + "\n",
+    "words without numbers": "nan inf\n" * 125_000 + "x\n",
 }
 
 

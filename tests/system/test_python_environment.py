@@ -1,11 +1,17 @@
 """scripts/python-environment changes no environment that it has not made, and fails in a way that `eval` passes on."""
 
+import itertools
 import os
 import re
 import shutil
 import subprocess
 import unittest
 from pathlib import Path
+
+try:
+    import tomllib
+except ImportError:      # Python 3.10
+    tomllib = None
 
 from ehlwave_program import FolderTest
 
@@ -101,6 +107,21 @@ class LockFiles(unittest.TestCase):
                     self.assertLess(numbers(version), numbers(high), package)
                 self.assertGreater(hashes, 0, package)
             self.assertTrue(all(hashes for _, hashes in lock.values()))
+
+    @unittest.skipUnless(tomllib, "needs Python 3.11")
+    def test_every_requirement_has_one_oldest_version(self):
+        """`--oldest` pins the lower bounds of all requirements."""
+        text = (ROOT/"postprocess/pyproject.toml").read_text(encoding="utf-8")
+        project = tomllib.loads(text)
+        extras = project["project"]["optional-dependencies"].values()
+        bounds = {}
+        for wanted in itertools.chain(project["build-system"]["requires"], project["project"]["dependencies"], *extras):
+            if wanted.startswith("ehlwave["):
+                continue
+            found = re.match(r"([\w-]+)>=([\d.]+)", wanted)
+            self.assertTrue(found, wanted)
+            self.assertEqual(bounds.setdefault(found[1], found[2]), found[2], wanted)
+        self.assertGreater(len(bounds), 20)
 
     def test_locks_agree(self):
         run, every = (locked((ROOT/"scripts/locks"/name).read_text(encoding="utf-8")) for name in ["run.txt", "all.txt"])

@@ -33,6 +33,25 @@ def error_vs_time(options: argparse.Namespace) -> int:
 
 
 @study(
+    "line-work",
+    output("line-work"),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def line_work(options: argparse.Namespace) -> int:
+    """Count the work of steady states of line contacts without a cap.
+
+    Runs M = 0.2 to 1000, L = 0 to 25, laws by Roelands, Barus and McEwen, inlets at -2.5 and -20,
+    256 to 4096 cells. Writes line-work.csv, which `line_steady_work` of
+    src/case/accuracy_model.f90 was fitted to, and prints how many states take the planned work
+    within a factor of 2. Takes about 20 minutes on one core.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare(options.program)
+    return steps.report("line_work", "--output", options.output)
+
+
+@study(
     "speed",
     output("speed-table"),
     option("--repeats", "N", "runs of each, of which the fastest counts (default 3)", 3),

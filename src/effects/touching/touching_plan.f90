@@ -1,5 +1,6 @@
 !> Surfaces that may touch, in the plan of a case: required data, and inputs that contradict them.
 module ehlwave_touching_plan
+   use ehlwave_bare_plan, only: bare_plan_t
    use ehlwave_case_definition, only: case_t, roughness_t
    use ehlwave_effect_plan, only: effect_plan_t
    use ehlwave_errors, only: error_t, raise
@@ -9,8 +10,15 @@ module ehlwave_touching_plan
    implicit none (type, external)
    private
 
+   ! Cost of time steps with their wider meshes over steps of a full film; measured: 1.9 on a line of 384 cells, 18 on a
+   ! ball of 64 x 64
+   real(dp), parameter :: line_cost = 2, cost = 18
+
    type, extends(effect_plan_t), public :: touching_plan_t
+      logical :: is_given = .false., is_line = .false.
    contains
+      procedure :: make
+      procedure :: multiply_cost
       procedure, nopass :: complete
       procedure, nopass :: check_data
       procedure, nopass :: check
@@ -23,6 +31,21 @@ contains
       type(case_t), intent(inout) :: case
       if (case%effects%touching%is_given() .and. case%scheme == 'auto') case%scheme = 'fitted'
    end subroutine complete
+
+   subroutine make(self, case, plan, error)
+      class(touching_plan_t), intent(inout) :: self
+      type(case_t), intent(in) :: case
+      class(bare_plan_t), intent(inout) :: plan
+      type(error_t), allocatable, intent(inout) :: error
+      self%is_given = case%effects%touching%is_given()
+      self%is_line = plan%conditions%is_line()
+   end subroutine make
+
+   subroutine multiply_cost(self, steady, step)
+      class(touching_plan_t), intent(in) :: self
+      real(dp), intent(inout) :: steady, step
+      if (self%is_given) step = merge(line_cost, cost, self%is_line)*step
+   end subroutine multiply_cost
 
    !> Refuse data that are not complete.
    subroutine check_data(case, error)

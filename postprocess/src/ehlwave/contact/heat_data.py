@@ -43,7 +43,12 @@ class BodyHeat(NamedTuple):
         return float((conducted * density * capacity) ** 0.5)
 
     def peclet(self, speed_length: float) -> float:
-        """Return u a rho c/(2 k), motion against conduction along it, for u a in m2/s.
+        """Return u a rho c/(2 k), motion against conduction along it.
+
+        Parameters
+        ----------
+        speed_length : float
+            Speed times half-length of the contact along it, m2/s.
 
         Examples
         --------

@@ -202,6 +202,7 @@ def _profile_intervals(
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
+            warnings.filterwarnings("ignore", module=r"uncertainties\b")  # of lmfit below 1.3.4
             found = lmfit.conf_interval(minimizer, result, sigmas=[confidence])
     except (lmfit.MinimizerException, ValueError, ArithmeticError, Warning):
         return NO_INTERVAL, NO_INTERVAL

@@ -66,15 +66,23 @@ def metres(unit: str, place: str) -> float:
 
 
 _BRACKETS = re.compile(r"[\[({<]([^\[\](){}<>]*)[\])}>]")
+_FACTOR = re.compile(
+    r"[\u00d7*·]\s?\d|\d\s?[\u00d7*·]|\b\d+ ?x\b|(?:^|[\s(\[])x ?10+\b"
+    r"|\b10(?:\^|[-\u2212]\d)|\d[eE][-+\u2212]?\d"
+)
+"""A number that multiplies what a heading names: ``x 1000``, ``10^-3``, ``*1e3``."""
 
 
 def split_unit(heading: str) -> tuple[str, str | None]:
     """Return the words and the unit of a heading, None if it has none.
 
     Units are in brackets (``x [um]``, ``height (nm)``), behind a mark (``x/mm``, ``x_m``, ``Weg,
-    mm``) or as last word (``Lateral um``, ``z in um``). A unit may be of no length.
+    mm``) or as last word (``Lateral um``, ``z in um``). A unit may be of no length. A multiple of
+    a unit, such as ``[10^-3 mm]`` or ``in 10 nm``, is none.
     """
     text = unicodedata.normalize("NFKC", heading[:LONGEST_HEADING]).strip()
+    if _FACTOR.search(text):
+        return text, None
     for found in _BRACKETS.finditer(text):
         inside = found[1].strip().removeprefix("in ")
         if known_unit(inside) or is_other_unit(inside):
@@ -84,6 +92,8 @@ def split_unit(heading: str) -> tuple[str, str | None]:
         last = last.strip("[](){} ")
         if not before.strip():
             continue
+        if mark in (" ", " in ") and before[-1].isdigit():
+            return text, None
         if known_unit(last) and (mark != " " or last.lower() not in ("m", "in", "a", "mil")):
             return before.strip(" _-,"), last
         if is_other_unit(last) and (mark in "/," or last.lower() in _BEHIND_A_DASH):
