@@ -1,6 +1,7 @@
 """Derivatives by every input against centred differences of whole runs."""
 
 import copy
+import csv
 import math
 import os
 import random
@@ -94,6 +95,23 @@ def difference(groups, key, name, at, runs):
     return None if value(2*side) is None else (-1.5*at + 2*value(side) - 0.5*value(2*side))/side
 
 
+def record(path, numbers, outcomes):
+    """Write draws with their derivatives and largest deviations from centred differences."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(["draw", "contact", "oil", "flow", "inlet", "waves", "derivatives", "largest_deviation"])
+        for number, (count, worst) in zip(numbers, outcomes):
+            table.writerow([number, *kind(contact(number)), count, f"{worst:.1e}"])
+
+
+def kind(groups):
+    """Return contact, viscosity law, flow law, inlet and waves of a draw."""
+    given = groups["conditions"]
+    is_line = "load_n_per_m" in given or given.get("radius_ratio_d") == 0
+    return ("line" if is_line else "point", groups["lubricant"]["viscosity_law"], groups["lubricant"].get("flow_law", "newtonian"),
+            "starved" if "inlet" in groups else "flooded", groups.get("waviness", {}).get("orientation", "none"))
+
+
 class InputGradients(TestCase):
     def check(self, number):
         """Compare all derivatives of a drawn contact; returns how many there are and the largest deviation."""
@@ -123,7 +141,10 @@ class InputGradients(TestCase):
     def test_drawn_contacts(self):
         """Points and lines of any oil, sliding or not, flooded or starved."""
         first = int(os.environ.get("EHLWAVE_FIRST_DRAW", "0"))
-        outcomes = [self.check(number) for number in range(first, first + (200 if IS_LONG else 10))]
+        numbers = range(first, first + (200 if IS_LONG else 10))
+        outcomes = [self.check(number) for number in numbers]
+        if path := os.environ.get("EHLWAVE_GRADIENTS"):   # a table as record/gradients.csv
+            record(path, numbers, outcomes)
         report(f"{len(outcomes)} contacts, {sum(count for count, _ in outcomes)} derivatives: "
                f"largest deviation {max(worst for _, worst in outcomes):.1e}")
 
