@@ -16,7 +16,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from drawn_contacts import Drawn, drawn
 
 import ehlwave
 from ehlwave.app.contacts import Given
@@ -24,6 +23,7 @@ from ehlwave.app.task import Task, answered
 from ehlwave.cli import main
 from ehlwave.errors import RangeError, ResultsError
 from ehlwave.programs.case_input import case_keys, case_text
+from studies.judged.drawn_contacts import Drawn, drawn
 
 OF_AI = 1e-3
 """Largest difference of a deformed cosine and the response, over Ai."""

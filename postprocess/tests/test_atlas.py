@@ -172,6 +172,23 @@ def test_advice_keeps_to_films_that_the_atlas_holds() -> None:
             assert ehlwave.Contact(**ball | {"load_n": inside}).film().central_m
 
 
+def test_advice_leaves_out_quantities_that_move_no_coordinate() -> None:
+    """The Eyring stress moves none in pure rolling; this ball bearing bears hardly any load."""
+    keys = {
+        "load_n": 10.85,
+        "viscosity_pa_s": 0.08222,
+        "pressure_viscosity_per_pa": 2.111e-8,
+        "roelands_index": 0.68,
+        "eyring_stress_pa": 2.333e6,
+        "reduced_modulus_pa": 2.264e11,
+        "radius_x_m": 2.185e-3,
+        "radius_y_m": 0.06967,
+        "mean_speed_m_per_s": 11.04,
+    }
+    with pytest.raises(ehlwave.RangeError, match=r"gives a film of .* atlas holds 14\.3 to"):
+        ehlwave.Contact(**keys).film(by="laws")
+
+
 def test_a_ball_bearing_is_answered() -> None:
     keys = {"load_parameter_m": 3645, "lubricant_parameter_l": 8, "radius_ratio_d": 0.066}
     contact = ehlwave.Contact(**keys, pressure_viscosity_per_pa=2e-8, roelands_index=0.6)

@@ -17,7 +17,7 @@ from ehlwave.contact.conditions_read import read_given
 from ehlwave.errors import ProgramError, RangeError
 from ehlwave.laws.computed_film import computed_film
 from ehlwave.laws.computed_transfer import ComputedTransfer
-from ehlwave.laws.computed_waves import refined
+from ehlwave.laws.computed_waves import Responses, changed, no_base, refined
 from ehlwave.programs import cache
 from ehlwave.programs.case_input import GROUPS, case_keys, case_text
 from ehlwave.programs.computing import is_usable, run_case, run_waves
@@ -174,6 +174,50 @@ def test_starved_contacts_are_computed() -> None:
         ComputedTransfer(replace(c, slip_parameter=1.2))
 
 
+def test_short_waves_of_starved_contacts_are_computed() -> None:
+    """Waves below 0.2 a have a grid that is fine along the wave; they were continued."""
+    contact = ehlwave.Contact(load_parameter_m=60, lubricant_parameter_l=8, radius_ratio_d=0.5)
+    c = replace(contact.conditions, oil_over_flooded=0.6)
+    found = ComputedTransfer(c).response(0.12, 0.0)
+    wave = {"orientation": "custom", "wavelength_x_over_a": 0.12, "wavelength_y_over_a": 0.0}
+    fine = {"response": "harmonic", "cells_x": 896, "cells_y": 96, "mean_rise": False}
+    row = run_case(case_keys(c) | wave | fine)
+    true = complex(row["harmonic_extrapolated_real"], row["harmonic_extrapolated_imaginary"])
+    assert abs(found.film - true) < found.error < 0.05
+
+
+def test_changes_of_marches_are_added_and_continued() -> None:
+    log = np.log(np.geomspace(0.1, 4, 9))
+    still = np.zeros(log.size)
+    nothing = complex(math.nan, math.nan)
+    found = Responses(
+        log=log,
+        film=np.exp(-np.exp(log)) + 0j,
+        pressure=np.full(log.size, nothing),
+        error=still + 0.01,
+        between=still[1:],
+        rise=still,
+        base=no_base,
+    )
+    inside = np.log(np.geomspace(0.5, 3, 5))
+    change = replace(
+        found,
+        log=inside,
+        film=np.full(5, 0.2j),
+        pressure=np.full(5, nothing),
+        error=np.full(5, 0.02),
+        between=np.zeros(4),
+        rise=np.zeros(5),
+    )
+    both = changed(found, change)
+    film, _, error, _ = both.at(inside)
+    np.testing.assert_allclose(film, found.at(inside)[0] + 0.2j, atol=1e-12)
+    np.testing.assert_allclose(error, 0.03, atol=1e-12)
+    film, _, error, _ = both.at(both.log[:1])
+    assert film[0].imag == pytest.approx(0.2 * (0.1 / 0.5) ** 1.5)
+    assert error[0] == pytest.approx(0.01 + film[0].imag)
+
+
 def test_warm_contacts_have_marches_that_carry_temperatures() -> None:
     contact = ehlwave.Contact(**ROLLERS, heat=HEAT)
     film, law = computed_film(contact.conditions, HEAT), contact.film()
@@ -193,6 +237,20 @@ def test_warm_contacts_have_marches_that_carry_temperatures() -> None:
     ).run()
     size, phase = float(march["amplitude_ratio_fit"]), float(march["phase_fit"])
     assert abs(found.film - size * np.exp(1j * phase)) < found.error + 0.01
+
+
+def test_waves_of_a_hot_newtonian_contact_need_no_march() -> None:
+    """Rollers of 1.4 GPa under much slip, whose friction the grid does not resolve."""
+    contact = ehlwave.Contact(
+        **STEEL | {"radius_x_m": 0.01, "load_n_per_m": 5.5e5, "mean_speed_m_per_s": 3},
+        slide_to_roll_ratio=1.0,
+        heat=HEAT,
+    )
+    assert contact.film(by="computed").friction is None
+    found = contact.response(0.7)
+    assert "law of warm waves" in found.source
+    assert 0.2 < abs(found.film) < 1.1
+    assert 0.05 < found.error < 1
 
 
 def test_kept_results_are_not_computed_again(

@@ -8,9 +8,20 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 import ehlwave
-from ehlwave.elements import DeepGrooveBallBearing
+from ehlwave.elements import (
+    AngularContactBallBearing,
+    CylindricalRollerBearing,
+    DeepGrooveBallBearing,
+    TaperedRollerBearing,
+)
 from ehlwave.elements.boundary import CONFORMITY_ERROR, DIAMETER_ERROR, KNOWN, PITCH_ERROR
 from ehlwave.elements.hertz import hertz_line, hertz_point, reduced_modulus
+from ehlwave.elements.load_zone import (
+    BALL_HALF_LOADED,
+    BALL_POWER,
+    ROLLER_HALF_LOADED,
+    ROLLER_POWER,
+)
 from ehlwave.elements.practice import stribeck_load_n
 
 EXACT = 1e-12
@@ -75,6 +86,106 @@ def test_speeds_follow_from_vectors_in_the_frame_of_the_cage() -> None:
     ball = abs((spin - cage) * bearing.element_diameter_m / 2)
     assert ball == pytest.approx(expected, rel=EXACT)
     assert abs((outer - cage) * race_o) == pytest.approx(expected, rel=EXACT)
+
+
+@pytest.mark.parametrize(("ring", "angle"), [("inner", 40.0), ("outer", 40.0), ("inner", 15.0)])
+def test_spin_follows_from_vectors_with_no_spin_on_the_other_ring(ring: str, angle: float) -> None:
+    bearing = AngularContactBallBearing(
+        ball_diameter_m=0.02223, pitch_diameter_m=0.12526, balls=16, contact_angle_deg=40
+    )
+    alpha, ball, pitch = np.radians(angle), 0.02223 / 2, 0.12526 / 2
+    # In the frame of the cage: x along the axis, y outwards. The inner race is touched at -normal.
+    normal = np.array([np.sin(alpha), np.cos(alpha), 0.0])
+    sides = {"inner": -normal, "outer": normal}
+
+    def race(side: np.ndarray, turn: np.ndarray) -> np.ndarray:
+        """Return the race's angular velocity by equal speeds at the contact."""
+        place = np.array([0.0, pitch, 0.0]) + ball * side
+        speed = np.cross(turn, ball * side)[2]
+        return np.array([speed / np.cross([1.0, 0.0, 0.0], place)[2], 0.0, 0.0])
+
+    def spin(side: np.ndarray, tilt: float) -> tuple[float, float]:
+        turn = np.array([np.cos(tilt), np.sin(tilt), 0.0])
+        relative = race(side, turn) - turn
+        rolling = relative - (relative @ side) * side
+        return float(relative @ side), float(np.linalg.norm(rolling))
+
+    other = sides["outer" if ring == "inner" else "inner"]
+    tilt = brentq(lambda one: spin(other, one)[0], -alpha - 0.4, -alpha + 0.4)
+    across, along = spin(sides[ring], tilt)
+    assert bearing.spin_to_roll_ratio(ring, angle) == pytest.approx(abs(across) / along, rel=1e-9)
+
+
+def test_centrifugal_force_is_the_closed_form_of_handbooks() -> None:
+    """Harris: 2.26e-11 D^3 n_c^2 d_m in N, mm and 1/min, for steel of 7.8 g/cm3."""
+    bearing = example()
+    cage = bearing.cage_speed_rpm(20000)
+    expected = 2.26e-11 * 11.5**3 * cage**2 * 43.5
+    assert bearing.centrifugal_load_n(20000) == pytest.approx(expected, rel=0.01)
+
+
+def test_centrifugal_force_and_spin_of_the_manual() -> None:
+    known = DeepGrooveBallBearing.from_boundary(bore_m=0.04, outside_m=0.08, width_m=0.018)
+    largest = float(known.load_zone(radial_load_n=3000).loads_at(0.0)[0])
+    shares = [known.centrifugal_load_n(speed) / largest for speed in (3000, 20000)]
+    assert shares == pytest.approx([0.002, 0.10], abs=0.003)
+    harris = AngularContactBallBearing(
+        ball_diameter_m=0.02223, pitch_diameter_m=0.12526, balls=16, contact_angle_deg=40
+    )
+    found = [harris.spin_to_roll_ratio(ring, 41.48) for ring in ("inner", "outer")]
+    assert found == pytest.approx([0.21, 0.27], abs=0.005)
+    assert harris.spin_to_roll_ratio("inner", 0.0) == 0
+
+
+def test_suggested_axial_loads_hold_bearings_together() -> None:
+    tapered = TaperedRollerBearing(
+        roller_diameter_m=0.01,
+        roller_length_m=0.015,
+        pitch_diameter_m=0.06,
+        rollers=16,
+        inner_angle_deg=12,
+        outer_angle_deg=15.5,
+    )
+    balls = AngularContactBallBearing(
+        ball_diameter_m=0.0127, pitch_diameter_m=0.07, balls=14, contact_angle_deg=40
+    )
+    for bearing in (tapered, balls):
+        with pytest.raises(ehlwave.EhlwaveError, match="axial_load_n is missing") as raised:
+            bearing.load_zone(radial_load_n=3000)
+        usual = float(str(raised.value).split("such as ")[1])
+        zone = bearing.load_zone(radial_load_n=3000, axial_load_n=usual)
+        assert zone.half_width_deg == pytest.approx(90, abs=12)
+    least = 3000 * math.tan(math.radians(15.5))
+    with pytest.raises(ehlwave.EhlwaveError, match=f"above {least:.4g} N"):
+        tapered.load_zone(radial_load_n=3000, axial_load_n=0.9 * least)
+    assert tapered.load_zone(radial_load_n=3000, axial_load_n=1.1 * least).half_width_deg < 90
+
+
+def test_half_loaded_bearings_have_the_loads_of_a_catalogue() -> None:
+    """NSK, technical report E728g, section 5: 4.37 and 4.08 F_r/Z; 1.216 and 1.260 F_r tan(a)."""
+    balls = DeepGrooveBallBearing(ball_diameter_m=0.005, pitch_diameter_m=0.2, balls=100)
+    rollers = CylindricalRollerBearing(
+        roller_diameter_m=0.005, roller_length_m=0.005, pitch_diameter_m=0.2, rollers=100
+    )
+    for bearing, published in ((balls, 4.37), (rollers, 4.08)):
+        largest = float(bearing.load_zone(radial_load_n=1000).loads_at(0.0)[0])
+        assert 100 * largest / 1000 == pytest.approx(published, rel=0.005)
+    for power, own, published in (
+        (BALL_POWER, BALL_HALF_LOADED, 1.216),
+        (ROLLER_POWER, ROLLER_HALF_LOADED, 1.260),
+    ):
+        above, below = (
+            quad(lambda t, n=n: math.cos(t) ** n, 0, math.pi / 2)[0] for n in (power, power + 1)
+        )
+        assert own == pytest.approx(above / below, abs=5e-5)
+        assert own == pytest.approx(published, rel=0.002)
+
+
+def test_elements_at_the_end_of_the_zone_bear_no_load() -> None:
+    bearing = DeepGrooveBallBearing(ball_diameter_m=0.0115, pitch_diameter_m=0.0435, balls=8)
+    places = bearing.contacts(radial_load_n=1000, inner_speed_rpm=3000, oil=OIL)
+    assert [place.angle_deg for place in places] == [0.0, 45.0, -45.0]
+    assert all(place.contact.conditions.m > 0 for place in places)
 
 
 def test_loads_balance_the_radial_load_and_follow_from_bisection() -> None:

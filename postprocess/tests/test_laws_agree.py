@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 from agreement import door_differences, response_differences
-from drawn_contacts import Drawn, drawn
 
 import ehlwave
+from studies.judged.drawn_contacts import Drawn, drawn
 
 SOURCES = Path(ehlwave.__file__).parent
 LAWS = {
@@ -40,21 +40,33 @@ def test_all_doors_have_one_film_with_its_error_and_warnings(one: Drawn) -> None
     assert door_differences(one) == []
 
 
-def calls_of_laws(folder: Path) -> list[str]:
-    """Return the calls of laws outside the room of the laws."""
+def uses_of_laws(folder: Path) -> list[str]:
+    """Return the imports, calls and other uses of laws outside the room of the laws."""
     found = []
     for path in sorted(folder.rglob("*.py")):
-        if path.relative_to(folder).parts[0] == "laws":
+        place = str(path.relative_to(folder))
+        if place.startswith("laws") or place in MAY_NAME:
             continue
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call):
-                name = ast.unparse(node.func).rpartition(".")[2]
-                if name in LAWS:
-                    found.append(f"{path.relative_to(folder)}:{node.lineno} {name}")
+            names = {"Name": "id", "Attribute": "attr", "alias": "name", "Constant": "value"}
+            name = getattr(node, names.get(type(node).__name__, ""), None)
+            if isinstance(name, str) and name in LAWS:
+                found.append(f"{place}:{node.lineno} {name}")
     return found
 
 
+MAY_NAME = ("surface/__init__.py", "surface/film_profile.py")
+"""Public names of transfers; the type of an argument."""
+USES = (
+    "transfer = atlas.AtlasTransfer(conditions)",
+    "from ehlwave.laws.computed_film import computed_film",
+    "laws = {'paper': FormulaTransfer}",
+    "getattr(room, 'TwoWaveTransfer')",
+)
+
+
 def test_one_place_chooses_a_law(tmp_path: Path) -> None:
-    assert calls_of_laws(SOURCES) == []
-    (tmp_path / "door.py").write_text("transfer = atlas.AtlasTransfer(conditions)\n")
-    assert calls_of_laws(tmp_path) == ["door.py:1 AtlasTransfer"]
+    assert uses_of_laws(SOURCES) == []
+    for number, line in enumerate(USES):
+        (tmp_path / f"door{number}.py").write_text(f"{line}\n")
+    assert len(uses_of_laws(tmp_path)) == len(USES)

@@ -50,9 +50,9 @@ ROELANDS = (0.5, 0.7)
 CONTACTS, SEED = 300, 76
 
 
-def ball_contacts(count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
+def ball_contacts(count: int = CONTACTS, seed: int = SEED) -> Iterator[ehlwave.Contact]:
     """Yield contacts of balls with inner and outer rings in turn."""
-    random = np.random.default_rng(SEED)
+    random = np.random.default_rng(seed)
     for number in range(count):
         series = BOUNDARIES_MM[str(random.choice(list(BOUNDARIES_MM)))]
         bore, outer = series[random.integers(len(series))]
@@ -70,9 +70,9 @@ def ball_contacts(count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
         yield ehlwave.Contact.from_bodies(ball, race, load_n=load, **oil)
 
 
-def roller_contacts(count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
+def roller_contacts(count: int = CONTACTS, seed: int = SEED) -> Iterator[ehlwave.Contact]:
     """Yield line contacts of cylindrical rollers with inner and outer rings in turn."""
-    random = np.random.default_rng(SEED)
+    random = np.random.default_rng(seed)
     for number in range(count):
         series = BOUNDARIES_MM[str(random.choice(ROLLER_SERIES))]
         bore, outer = series[random.integers(len(series))]

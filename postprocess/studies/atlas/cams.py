@@ -45,9 +45,11 @@ VISCOSITY_PA_S = (0.004, 0.1)
 SEED = 1994
 
 
-def cam_contacts(eyring: bool = True, count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
+def cam_contacts(
+    eyring: bool = True, count: int = CONTACTS, seed: int = SEED
+) -> Iterator[ehlwave.Contact]:
     """Yield contacts of cams, flat and roller followers in turn, with either surface rough."""
-    random = np.random.default_rng(SEED)
+    random = np.random.default_rng(seed)
     for number in range(count):
         base, lift = random.uniform(*BASE_MM), random.uniform(*LIFT_MM)
         turn = log_uniform(random, SPEED_PER_MIN) * np.pi / 30 * 1e-3

@@ -80,9 +80,11 @@ class Mesh(NamedTuple):
         return float(LEAST_SHARE * (1 + way / (alone[0] - first)))
 
 
-def gear_contacts(eyring: bool = True, count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
+def gear_contacts(
+    eyring: bool = True, count: int = CONTACTS, seed: int = SEED
+) -> Iterator[ehlwave.Contact]:
     """Yield contacts of gears, the rough flank on the pinion and on the wheel in turn."""
-    random = np.random.default_rng(SEED)
+    random = np.random.default_rng(seed)
     for number in range(count):
         teeth = int(random.integers(*PINION_TEETH, endpoint=True))
         mesh = Mesh(teeth, round(teeth * random.uniform(*RATIO)))

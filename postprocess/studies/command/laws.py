@@ -102,7 +102,7 @@ def inlet(options: argparse.Namespace) -> int:
 @study(
     "judged",
     output("judged"),
-    option("--part", "NAME", "heavy-films, sheared-waves, warm-waves or isothermal; default: all"),
+    option("--part", "NAME", "answers, heavy-films, sheared-waves, warm-waves or isothermal; all"),
     option("--contacts", "N", "of each part; default: those of the record"),
     flag("--write", "write the coefficients of the laws into the package"),
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
@@ -110,11 +110,12 @@ def inlet(options: argparse.Namespace) -> int:
 def judged(options: argparse.Namespace) -> int:
     """Judge and fit laws of the package by contacts computed on fine grids.
 
-    Draws contacts, computes each by ehlwave-case, and compares the package. Parts: the smallest
-    films of heavy and slender contacts, waves under slip in Carreau oils, waves in warm contacts,
-    and films, friction and responses of isothermal contacts of all kinds. An hour on one core; an
-    interrupted study goes on. Writes a table per part and coverage.csv. With --write the
-    coefficients of the first three go into the package.
+    Draws contacts, computes each by ehlwave-case, and compares the package. Parts: answers for
+    contacts of catalogues and at the ends of the ranges, the smallest films of heavy and slender
+    contacts, waves under slip in Carreau oils, waves in warm contacts, and films, friction and
+    responses of isothermal contacts of all kinds. Two hours on one core; an interrupted study goes
+    on. Writes a table per part and coverage.csv. With --write the coefficients of the three parts
+    in the middle go into the package.
 
     Exit status: 0 all errors hold for 95 % and at most 1 % are beyond 1.5 times; 1 otherwise; 2 bad
     usage.

@@ -10,11 +10,17 @@ import numpy as np
 
 from studies.command import laws
 from studies.command.options import step_parser
-from studies.judged import heavy_films, isothermal, sheared_waves, warm_waves
+from studies.judged import answers, heavy_films, isothermal, sheared_waves, warm_waves
 from studies.sweeps import Row, run_command, write_rows
 
 FITTED = {"heavy-films": heavy_films, "sheared-waves": sheared_waves, "warm-waves": warm_waves}
-COUNTS = {"heavy-films": 490, "sheared-waves": 400, "warm-waves": 220, "isothermal": 240}
+COUNTS = {
+    "answers": 400,
+    "heavy-films": 490,
+    "sheared-waves": 400,
+    "warm-waves": 220,
+    "isothermal": 240,
+}
 """Numbers of contacts, by the parts of the study."""
 
 
@@ -41,6 +47,8 @@ def _ours(rows: Sequence[Row]) -> list[Row]:
 
 def _part(part: str, count: int, folder: Path, write: bool) -> list[Row]:
     path = folder / f"{part.replace('-', '_')}.jsonl"
+    if part == "answers":
+        return answers.study(path, count, folder)
     module = FITTED.get(part, isothermal)
     rows = module.computed(path, count, 1)
     write_rows(path.with_suffix(".csv"), rows, digits=5)

@@ -54,6 +54,7 @@ def plain_text_only() -> Iterator[None]:
         warnings.catch_warnings(),
     ):
         warnings.showwarning = _note_warning
+        warnings.simplefilter("ignore", DeprecationWarning)  # between libraries
         yield
 
 

@@ -15,8 +15,8 @@ class AngularContactBallBearing(BallBearing):
     chapter 7); with a radial load the equilibrium of ISO 16281:2008. Radii: gamma has the contact
     angle under load. K belongs to the angle without load.
 
-    Assumptions: as :class:`DeepGrooveBallBearing`; each ball rolls at its own contact angle; spin
-    is left out.
+    Assumptions: as :class:`DeepGrooveBallBearing`; each ball rolls at its own contact angle; films
+    and powers leave spin out (:meth:`spin_to_roll_ratio`).
 
     Parameters
     ----------

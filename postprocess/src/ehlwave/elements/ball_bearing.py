@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from ehlwave.choices import chosen
 from ehlwave.contact.bodies import Body
 from ehlwave.elements.bearing import RINGS, RollingBearing
 from ehlwave.elements.given import above, at_least, count, pair
 from ehlwave.elements.hertz import hertz_point, reduced_modulus, reduced_radius
 from ehlwave.elements.load_zone import (
+    BALL_HALF_LOADED,
     BALL_POWER,
     Grooves,
     LoadZone,
@@ -73,6 +75,29 @@ class BallBearing(RollingBearing):
         )
         return race, Body.ball(self.element_diameter_m, **self.elastic)
 
+    def spin_to_roll_ratio(self, ring: str, contact_angle_deg: float) -> float:
+        """Return spin over rolling of the ball on a ring, without spin on the other.
+
+        Race control (Jones 1959; Harris and Kotzalas, *Advanced Concepts of Bearing Technology*,
+        chapter 2, from memory): the axis of the ball meets the tangent of the race without spin on
+        the axis of the bearing. Films and powers leave spin out.
+
+        Parameters
+        ----------
+        ring : {"inner", "outer"}
+            The ring that spins.
+        contact_angle_deg : float
+            Contact angle under load.
+        """
+        chosen(ring, "ring", RINGS, type(self).__name__)
+        alpha = math.radians(contact_angle_deg)
+        gamma = self.element_diameter_m / self.pitch_diameter_m
+        side = 1.0 if ring == "inner" else -1.0
+        # Pitch of the ball's axis from the bearing's, with no spin on the other ring.
+        pitch = math.atan2(math.sin(alpha), math.cos(alpha) + side * gamma)
+        own = 1 - side * gamma * math.cos(alpha)
+        return abs(own * math.tan(alpha - pitch) + side * gamma * math.sin(alpha))
+
     @property
     def stiffness(self) -> float:
         """Return K of both Hertz contacts in series, N/m^(3/2), at the angle without load."""
@@ -117,9 +142,10 @@ class BallBearing(RollingBearing):
             raise SurfaceError(f"{name}: radial_load_n is missing: give it, such as 1000")
         if axial == 0:
             if self.free_angle_deg:
+                usual = BALL_HALF_LOADED * radial * math.tan(math.radians(self.free_angle_deg))
                 raise SurfaceError(
                     f"{name}: axial_load_n is missing: a radial load alone pushes the rings of an "
-                    f"angular contact bearing apart: give it, such as {0.8 * radial:g}"
+                    f"angular contact bearing apart: give it, such as {usual:.3g}"
                 )
             return radial_zone(radial, self.elements, self.clearance_m, self.stiffness, BALL_POWER)
         loads = (radial, axial)

@@ -10,9 +10,9 @@ import numpy as np
 import xarray as xr
 
 from ehlwave.choices import chosen
-from ehlwave.contact.bodies import Body
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.elements.answers import Questions
+from ehlwave.elements.bearing_motion import BearingMotion
 from ehlwave.elements.inside_error import inside_error, widen
 from ehlwave.elements.load_zone import LoadZone
 from ehlwave.elements.place import ElementContact
@@ -23,17 +23,13 @@ from ehlwave.elements.table import table_of, unanswered, worst_places
 RINGS = ("inner", "outer")
 EDGE = 0.95
 """Part of the half width of the load zone that tables show: at its end there is no load."""
+LEAST_LOAD = 1e-9
+"""Load over the largest below which an element counts as unloaded: round-off at the zone's end."""
 
 
-class RollingBearing:
+class RollingBearing(BearingMotion):
     """A bearing of balls or rollers; subclasses define bodies and loads."""
 
-    element_diameter_m: float
-    """Diameter of balls, or of rollers at their middle."""
-    pitch_diameter_m: float
-    """Diameter of the circle of their centres."""
-    elements: int
-    """Number of balls or rollers."""
     elastic: Mapping[str, Any]
     """Material of all parts, as arguments of :class:`ehlwave.Body`."""
     load_zone: Callable[..., LoadZone]
@@ -42,66 +38,6 @@ class RollingBearing:
     """Bearings with other inner dimensions, where they are estimated."""
     inside_errors: Mapping[str, float] = {}
     """Errors of estimated inner dimensions, relative; of counts absolute."""
-
-    def bodies(self, ring: str, contact_angle_deg: float) -> tuple[Body, Body]:
-        """Return race and element at a contact; subclasses define them."""
-        raise NotImplementedError
-
-    def length_m(self) -> float | None:
-        """Return the length of line contacts; None of balls."""
-        return None
-
-    def gamma(self, contact_angle_deg: float = 0.0) -> float:
-        """Return D cos(angle)/d_m.
-
-        Parameters
-        ----------
-        contact_angle_deg : float
-            Contact angle, of tapered rollers the angle of their axis.
-        """
-        cosine = math.cos(math.radians(contact_angle_deg))
-        return self.element_diameter_m * cosine / self.pitch_diameter_m
-
-    def surface_speed_m_per_s(
-        self, inner_speed_rpm: float, outer_speed_rpm: float = 0.0, contact_angle_deg: float = 0.0
-    ) -> float:
-        """Return the speed of both surfaces past either contact, without slip.
-
-        The cage turns with [w_i (1 - gamma) + w_o (1 + gamma)]/2, so that the inner race has
-        (w_i - w_o) d_m (1 - gamma^2)/4, the outer race and the element the same.
-
-        Parameters
-        ----------
-        inner_speed_rpm, outer_speed_rpm, contact_angle_deg : float
-            Speeds of the rings, contact angle.
-        """
-        gamma = self.gamma(contact_angle_deg)
-        turn = 2 * math.pi / 60 * (inner_speed_rpm - outer_speed_rpm)
-        return abs(turn) * self.pitch_diameter_m * (1 - gamma**2) / 4
-
-    def cage_speed_rpm(
-        self, inner_speed_rpm: float, outer_speed_rpm: float = 0.0, contact_angle_deg: float = 0.0
-    ) -> float:
-        """Return the speed of the cage.
-
-        Parameters
-        ----------
-        inner_speed_rpm, outer_speed_rpm, contact_angle_deg : float
-            Speeds of the rings, contact angle.
-        """
-        gamma = self.gamma(contact_angle_deg)
-        return (inner_speed_rpm * (1 - gamma) + outer_speed_rpm * (1 + gamma)) / 2
-
-    def overrolling_time_s(self, inner_speed_rpm: float, outer_speed_rpm: float = 0.0) -> float:
-        """Return the time between two elements at a place of the inner ring.
-
-        Parameters
-        ----------
-        inner_speed_rpm, outer_speed_rpm : float
-            Speeds of the rings.
-        """
-        past = abs(inner_speed_rpm - self.cage_speed_rpm(inner_speed_rpm, outer_speed_rpm))
-        return 60 / (self.elements * past) if past > 0 else math.inf
 
     def _place(
         self,
@@ -162,12 +98,13 @@ class RollingBearing:
         zone = self.load_zone(**loads)
         angles = 360 * np.arange(self.elements) / self.elements
         angles = np.where(angles > 180, angles - 360, angles)
-        found = zip(angles, *zone.loads_at(angles), strict=True)
+        every, alphas = zone.loads_at(angles)
+        found = zip(angles, every, alphas, strict=True)
         speeds = (inner_speed_rpm, outer_speed_rpm)
         return [
             self._place(ring, float(angle), float(load), float(alpha), speeds, oil, options or {})
             for angle, load, alpha in found
-            if load > 0
+            if load > LEAST_LOAD * every.max()
         ]
 
     def places(
@@ -266,12 +203,14 @@ class RollingBearing:
         relative = speeds_rpm[0] - speeds_rpm[1]
         factor = float(found["thermal_film_factor"].min()) if "thermal_film_factor" in found else 1
         angles = 360 * np.arange(self.elements) / self.elements
+        every, alphas = zone.loads_at(angles)
         loaded = [
             self._place(ring, 0.0, float(load), float(alpha), speeds_rpm, oil, {})
-            for load, alpha in zip(*zone.loads_at(angles), strict=True)
+            for load, alpha in zip(every, alphas, strict=True)
             for ring in RINGS
-            if load > 0
+            if load > LEAST_LOAD * every.max()
         ]
+        centrifugal = self.centrifugal_load_n(*speeds_rpm, float(alphas[every.argmax()]))
         rolling = rolling_power_w(loaded) * (1.0 if math.isnan(factor) else factor)
         return {
             "element": type(self).__name__,
@@ -287,6 +226,8 @@ class RollingBearing:
             "power_note": "rolling of loaded elements on both rings; without sliding in the "
             "contacts by their curvature and spin, cage, seals and churning",
             "time_between_overrollings_s": self.overrolling_time_s(*speeds_rpm),
+            "centrifugal_load_n": centrifugal,
+            "centrifugal_over_load": centrifugal / float(every.max()),
             "kappa_iso_281": viscosity_ratio(oil, relative, self.pitch_diameter_m),
             "unanswered_places": unanswered(found),
             "worst": "; ".join(worst_places(found).values()),

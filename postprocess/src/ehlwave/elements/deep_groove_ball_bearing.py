@@ -14,8 +14,9 @@ class DeepGrooveBallBearing(BallBearing):
     equilibrium of the inner ring, K (d cos - s/2)^(3/2), ISO 16281:2008. Speeds: no slip.
 
     Assumptions: rings keep their form; a ball lies in the direction of the load; no centrifugal
-    loads; both surfaces of a contact have the same speed, so that friction by the curvature of the
-    groove and by spin is left out.
+    loads, which matter above a tenth of the largest load (``centrifugal_over_load``); both surfaces
+    of a contact have the same speed, so that friction by the curvature of the groove and by spin is
+    left out.
 
     Parameters
     ----------

@@ -163,6 +163,12 @@ FORMULAS = {
     "time_between_overrollings_s": Entry(
         "time between overrollings", "ms", 1e3, "60/(Z |n_i - n_cage|)"
     ),
+    "centrifugal_load_n": _number(
+        "centrifugal force of an element", "m omega_c^2 d_m/2; loads leave it out", "N"
+    ),
+    "centrifugal_over_load": _number(
+        "centrifugal force over the largest load", "loads and films hold where it is below 0.1"
+    ),
     "kappa_iso_281": _number(
         "kappa of ISO 281",
         "nu/nu1; nu1 = 45000 n^-0.83 dm^-0.5 below 1000 rpm, 4500 n^-0.5 dm^-0.5 above",

@@ -18,6 +18,10 @@ from ehlwave.errors import SurfaceError
 Floats = NDArray[np.float64]
 
 BALL_POWER, ROLLER_POWER = 3 / 2, 10 / 9
+BALL_HALF_LOADED, ROLLER_HALF_LOADED = 1.2158, 1.2580
+"""F_a/(F_r tan(alpha)) of a bearing half of whose elements bear load: integral of cos^n over half a
+turn, n the power, over the integral of cos^(n + 1). Below 1 there is no equilibrium.
+"""
 BALANCED = 1e-9
 """Relative error of forces that a solution may leave."""
 
@@ -248,7 +252,8 @@ def tapered_zone(
             )
     raise SurfaceError(
         f"no equilibrium of radial_load_n = {radial_n:g} and axial_load_n = {axial_n:g}: raise the "
-        "axial load, which holds a tapered bearing together"
+        "axial load, which holds a tapered bearing together, above "
+        f"{radial_n * np.tan(angle_rad):.4g} N"
     )
 
 

@@ -22,7 +22,7 @@ from ehlwave.shown import split_words
 DOTS_PER_INCH = 130
 SUMMARY = (
     *("rolling_power_w", "rolling_power_error", "sliding_power_w", "efficiency"),
-    *("kappa_iso_281", "reversals_deg", "opposite_speeds_deg"),
+    *("kappa_iso_281", "centrifugal_over_load", "reversals_deg", "opposite_speeds_deg"),
 )
 """Numbers of an element that the text has."""
 

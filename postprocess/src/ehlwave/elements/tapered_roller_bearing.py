@@ -6,6 +6,7 @@ import math
 
 from ehlwave.contact.bodies import Body
 from ehlwave.elements.given import above, at_least
+from ehlwave.elements.load_zone import ROLLER_HALF_LOADED as HALF_LOADED
 from ehlwave.elements.load_zone import LoadZone, tapered_zone
 from ehlwave.elements.roller_bearing import RollerBearing
 from ehlwave.errors import SurfaceError
@@ -109,7 +110,7 @@ class TaperedRollerBearing(RollerBearing):
         axial = at_least(axial_load_n, "axial_load_n", name)
         angle = math.radians(self.outer_angle_deg)
         if axial == 0:
-            usual = f"{max(0.63 * radial * math.tan(angle), 1):.3g}"
+            usual = f"{max(HALF_LOADED * radial * math.tan(angle), 1):.3g}"
             raise SurfaceError(
                 f"{name}: axial_load_n is missing: a radial load alone pushes the rings of a "
                 f"tapered bearing apart: give it, such as {usual}"

@@ -19,7 +19,7 @@ from ehlwave.laws.transfer import Waves
 
 Complex = NDArray[np.complex128]
 
-WAVES, ANGLES = 72, 31
+WAVES, ANGLES = 72, 61
 """Nodes of the chart that is interpolated for maps, over ln wavelength and angle."""
 
 REFINED = 4

@@ -1,7 +1,8 @@
 """Transfer whose responses are computed by ``ehlwave-sweep``, for contacts without a law."""
 
+import contextlib
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -10,63 +11,38 @@ import numpy as np
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
 from ehlwave.contact.two_waves import two_waves
-from ehlwave.errors import RangeError
+from ehlwave.errors import ProgramError, RangeError
 from ehlwave.laws.answers import Response
 from ehlwave.laws.atlas.ranges import WAVE_RANGE
 from ehlwave.laws.atlas_transfer import SHORT_WAVE_POWER, AtlasTransfer
 from ehlwave.laws.computed_angles import map_of
 from ehlwave.laws.computed_film import computed_film
+from ehlwave.laws.computed_rows import ComputedRows
 from ehlwave.laws.computed_waves import (
-    AMPLITUDE,
     FIRST,
     MOST,
     Base,
     Complex,
     Responses,
-    error_of,
+    changed,
     no_base,
     refined,
 )
 from ehlwave.laws.transfer import Waves
-from ehlwave.programs.case_input import case_keys
-from ehlwave.programs.computing import Result, is_usable, run_waves
 from ehlwave.programs.progress import Following
 
-ACCURACY, FINER_ACCURACY = 0.05, 0.015
-"""Relative errors of Ad/Ai that are asked for: of all waves, and of those that turn out worse than
-`LARGE_ERROR`. Asking for less at once takes up to 50 times as long for short waves."""
-LARGE_ERROR = 0.025
-"""Absolute error of a computed wave above which it is computed again."""
-TOLERANCE, STARVED_TOLERANCE = 0.01, 0.02
+TOLERANCE, STARVED_TOLERANCE, CHANGE_TOLERANCE = 0.01, 0.02, 0.02
 """Errors of the interpolation, absolute, below the errors of the atlases and of the law of starved
-contacts.
-"""
-STARVED_WAVES, MOST_STARVED, FIRST_STARVED = (0.2, 4.0), 11, 5
-"""Wavelengths over a of starved contacts, their largest and first number. A shorter wave needs
-a grid that takes half a minute: it is continued, and its error covers this.
-"""
-STARVED_LONG, LONG_ACCURACY = 0.7, 0.2
-"""Wavelength over a from which on starved contacts have the second relative error: little is left
-of such waves, and a small relative error takes ten times as long.
-"""
+contacts; of the changes by passing temperatures."""
+MOST_STARVED, FIRST_STARVED = 13, 7
+"""Numbers of the waves of starved contacts: largest, and first."""
+CHANGED_LINE, CHANGED = (0.3, 3.0), (0.5, 3.0)
+"""Wavelengths over a of marches, of lines and of other contacts."""
+MOST_CHANGES, FIRST_CHANGES = 9, 5
+"""Numbers of marches, some seconds each: largest, and first."""
 FINE = 161
 """Points of the tables that replace the splines."""
 LOGS = np.linspace(math.log(WAVE_RANGE[0]), math.log(WAVE_RANGE[1]), FINE)
-LINE_X = 1000.0
-"""Wavelength along X, over a, of waves along a line contact: the program takes no infinite one."""
-MOST_FROZEN = 0.3
-"""Largest error by frozen temperatures; above it there is no answer."""
-NEGLIGIBLE_FROZEN = 0.05
-"""Error by frozen temperatures below which linear responses answer; above it marches do."""
-MARCHED, MOST_MARCHED, MARCHED_ACCURACY, SMALL = (0.3, 3.0), 13, 0.05, 0.02
-"""Marches: wavelengths over a, largest number, accuracy, and Ai over the film."""
-MARCHED_ELLIPSE, MOST_ELLIPSE, FIRST_ELLIPSE = (0.5, 3.0), 9, 5
-"""Limits of contacts other than lines, and the number of their first waves."""
-FINER: dict[str, Any] = {"cells_x": 256, "cells_y": 128}
-"""Grid of marches that stall on the planned one."""
-MARCHED_COLUMNS = "amplitude_ratio_fit", "phase_fit"
-NEWTONIAN_FROZEN = 2.0
-"""Factor on the program's estimate of this error, for Newtonian oils under slip."""
 
 SOURCE = "computed by ehlwave-sweep"
 
@@ -104,16 +80,10 @@ class ComputedTransfer(AtlasTransfer):
         self._conditions = conditions
         self._heat = heat
         self._progress = progress
-        self._keys = case_keys(conditions, heat) | {
-            "orientation": "custom",
-            "response": "harmonic",
-            "amplitude_over_film": AMPLITUDE,
-            "accuracy": ACCURACY,
-        }
+        self._rows = ComputedRows(conditions, heat, progress)
         self._curves: dict[float, Responses] = {}
         self._lookups: dict[str, Callable[[Waves, Waves], Waves]] = {}
         self._asked: tuple[Waves, Waves] | None = None
-        self._frozen = 0.0
 
     def __getstate__(self) -> dict[str, Any]:
         """Return the pickled state: waves come from the cache of the programs again."""
@@ -158,7 +128,7 @@ class ComputedTransfer(AtlasTransfer):
                 f"{high:.3g}, the computed waves"
             )
         film, pressure, error, _ = curve.at(np.array(log))
-        return Response(complex(film), complex(pressure), float(error) + self._frozen, self.name)
+        return Response(complex(film), complex(pressure), float(error), self.name)
 
     def pressure(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
         """Return the amplitude of the pressure over Ai, ph/c, for waves per metre along x and y.
@@ -182,105 +152,34 @@ class ComputedTransfer(AtlasTransfer):
         """Return the computed responses along a direction, in degrees from rolling."""
         angle = round(float(angle_deg), 6)
         if angle not in self._curves:
-            bases: list[Base] = [no_base]
-            if base := self._law(angle):
-                bases.append(base)
-            rows, ends, most, first = self._rows, WAVE_RANGE, MOST, FIRST
-            if self._warms(angle):
-                rows, ends, most, first = self._marches, MARCHED, MOST_MARCHED, FIRST
-                if not self._conditions.is_line:  # a march takes up to a minute
-                    ends, most, first = MARCHED_ELLIPSE, MOST_ELLIPSE, FIRST_ELLIPSE
-            tolerance = TOLERANCE
-            if self._conditions.is_starved:
-                tolerance, ends = STARVED_TOLERANCE, STARVED_WAVES
-                most, first = MOST_STARVED, FIRST_STARVED
-            self._curves[angle] = refined(
-                lambda waves: rows(waves, angle), ends, tolerance, bases, most, first
-            )
+            self._curves[angle] = self._computed(angle)
         return self._curves[angle]
 
-    def _rows(self, waves: Waves, angle: float) -> Sequence[Result]:
-        """Compute linear responses of a direction."""
-        keys, every = self._keys, self._columns(waves, angle)
-        if 0 < angle < 90 or self._conditions.is_starved:  # products of cosines have another rise
-            keys = keys | {"mean_rise": False}
-        if self._conditions.is_starved:  # the finest grid that a plan takes
-            keys = {key: value for key, value in keys.items() if key != "accuracy"}
-            for wave, columns in zip(waves, every, strict=True):
-                columns["accuracy"] = ACCURACY if wave < STARVED_LONG else LONG_ACCURACY
-        rows = run_waves(keys, every, self._progress)
-        self._judge_heat(rows)
+    def _computed(self, angle: float) -> Responses:
+        """Return linear responses, of a warm contact with the changes by passing temperatures."""
+        bases: list[Base] = [no_base]
+        if base := self._law(angle):
+            bases.append(base)
+        tolerance, most, first = TOLERANCE, MOST, FIRST
         if self._conditions.is_starved:
-            return rows
-        coarse = [k for k, row in enumerate(rows) if error_of(row) > LARGE_ERROR]
-        finer = keys | {"accuracy": FINER_ACCURACY}
-        better = run_waves(finer, [every[k] for k in coarse], self._progress)
-        for k, row in zip(coarse, better, strict=True):
-            rows[k] = row if error_of(row) < error_of(rows[k]) else rows[k]
-        return rows
+            tolerance, most, first = STARVED_TOLERANCE, MOST_STARVED, FIRST_STARVED
+        rows = self._rows
+        rows.frozen = 0.0
+        found = refined(
+            lambda waves: rows.linear(waves, angle), WAVE_RANGE, tolerance, bases, most, first
+        )
+        if rows.warms(angle):
+            with contextlib.suppress(ProgramError):  # marches that stall leave frozen temperatures
+                return changed(found, self._changes(angle))
+        rows.check_frozen()
+        return replace(found, error=found.error + rows.frozen)
 
-    def _columns(self, waves: Waves, angle: float) -> list[dict[str, float]]:
-        """Return wavelengths along X and Y; 0: infinite."""
-        cosine, sine = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-        no_x = LINE_X if self._conditions.is_line else 0.0
-        return [
-            {
-                "wavelength_x_over_a": float(wave / cosine) if angle < 90 else no_x,
-                "wavelength_y_over_a": float(wave / sine) if angle > 0 else 0.0,
-            }
-            for wave in waves
-        ]
-
-    def _warms(self, angle: float) -> bool:
-        """Return whether temperatures that change as waves pass matter, and marches have them."""
-        if self._heat is None or angle == 90 or (self._conditions.is_line and angle > 0):
-            return False
-        rows = run_waves(self._keys, self._columns(np.array([1.0]), angle), self._progress)
-        return self._frozen_error(rows) > NEGLIGIBLE_FROZEN
-
-    def _marches(self, waves: Waves, angle: float) -> Sequence[Result]:
-        """Compute marches of a direction that carry the temperatures of oil and surfaces."""
-        keys = self._keys | {
-            "response": "transient",
-            "amplitude_over_film": SMALL,
-            "wave_temperatures": "carried",
-            "accuracy": MARCHED_ACCURACY,
-            "mean_rise": None,
-        }
-        every = self._columns(waves, angle)
-        rows = run_waves(keys, every, self._progress)
-        # Marches that stall on a coarse grid are repeated on a finer grid.
-        stalled = [k for k, row in enumerate(rows) if not is_usable(row)]
-        finer = keys | {"accuracy": None} | FINER
-        if self._conditions.is_line:
-            finer.pop("cells_y")
-        again = run_waves(finer, [every[k] for k in stalled], self._progress)
-        for k, row in zip(stalled, again, strict=True):
-            rows[k] = row
-        for row in rows:
-            size, phase = (float(row.get(key) or math.nan) for key in MARCHED_COLUMNS)
-            row["harmonic_real"] = size * math.cos(phase)
-            row["harmonic_imaginary"] = size * math.sin(phase)
-            row["harmonic_extrapolated_real"] = math.nan
-        return rows
-
-    def _frozen_error(self, rows: Sequence[Result]) -> float:
-        c = self._conditions
-        slides = not c.rolls and c.oil.name == "Newtonian"
-        factor = NEWTONIAN_FROZEN if slides else 1.0
-        found = [float(row.get("frozen_heat_error") or 0.0) * factor for row in rows]
-        return max((one for one in found if math.isfinite(one)), default=0.0)
-
-    def _judge_heat(self, rows: Sequence[Result]) -> None:
-        """Keep the error by frozen temperatures; refuse contacts where it is unreliable."""
-        if self._heat is None:
-            return
-        self._frozen = max(self._frozen, self._frozen_error(rows))
-        if self._frozen > MOST_FROZEN:
-            raise RangeError(
-                f"the contact warms so far that linear responses may be {self._frozen:.2g} of Ai "
-                "off, and marches do not take such waves: leave heat out"
-            )
+    def _changes(self, angle: float) -> Responses:
+        ends = CHANGED_LINE if self._conditions.is_line else CHANGED
+        waves = {"most": MOST_CHANGES, "first": FIRST_CHANGES}
+        return refined(
+            lambda waves: self._rows.changes(waves, angle), ends, CHANGE_TOLERANCE, **waves
+        )
 
     def _law(self, angle: float) -> Base | None:
         """Return the law of the two waves for a direction; None in rolling and of line contacts."""
@@ -315,7 +214,7 @@ class ComputedTransfer(AtlasTransfer):
         short, long = logs < curve.log[0] - 1e-9, logs > curve.log[-1] + 1e-9
         kept = np.exp(np.minimum(logs - curve.log[0], 0.0) * SHORT_WAVE_POWER)
         film = (1 - (1 - film.real) * kept) + 1j * film.imag * kept
-        error = error + self._frozen + np.where(short, abs(1 - film), 0) + long * abs(film)
+        error = error + np.where(short, abs(1 - film), 0) + long * abs(film)
         return np.stack([film.real, film.imag, error, rise])
 
     def _along(self, angle: float) -> Callable[[Waves, Waves], Waves]:

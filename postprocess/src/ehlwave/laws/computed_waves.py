@@ -12,6 +12,7 @@ import scipy
 from numpy.typing import NDArray
 
 from ehlwave.errors import ProgramError
+from ehlwave.laws.atlas_transfer import SHORT_WAVE_POWER
 from ehlwave.laws.transfer import Waves
 from ehlwave.programs.computing import Result, is_usable
 
@@ -132,6 +133,30 @@ def refined(
         base, errors = bases[best], found[best]
         log, rows, between = _merged(log, rows, between, middle, new, errors / HALVED, halves)
     return _known(log, rows, between, base)
+
+
+def changed(found: Responses, change: Responses) -> Responses:
+    """Return responses plus changes; beyond their waves the changes are continued.
+
+    Shorter waves change less, with the power `SHORT_WAVE_POWER` of the wavelength. The error there
+    is as large as the change.
+    """
+    log = np.union1d(
+        found.log, change.log[(change.log > found.log[0]) & (change.log < found.log[-1])]
+    )
+    film, _, error, rise = found.at(log)
+    add, _, more, _ = change.at(log)
+    short, long = log < change.log[0] - 1e-9, log > change.log[-1] + 1e-9
+    add = add * np.exp(np.minimum(log - change.log[0], 0.0) * SHORT_WAVE_POWER)
+    return Responses(
+        log=log,
+        film=film + add,
+        pressure=np.full(log.shape, complex(np.nan, np.nan)),
+        error=error + np.where(short | long, np.abs(add), more),
+        between=np.zeros(log.size - 1),
+        rise=rise,
+        base=found.base,
+    )
 
 
 def film_of(row: Result) -> complex:

@@ -141,7 +141,10 @@ def _powers(given: Mapping[str, float], key: str, ranges: Ranges) -> dict[str, f
 def _interval(
     place: Mapping[str, float], powers: Mapping[str, float], ranges: Ranges
 ) -> tuple[float, float] | None:
-    """Return by which factors a quantity may change so that all lies inside; None: by none."""
+    """Return by which factors a quantity may change so that all lies inside.
+
+    None: by none, or the quantity moves no coordinate, as the Eyring stress in pure rolling.
+    """
     least, most = 0.0, math.inf
     for key, ends in ranges.items():
         power = powers.get(key, 0.0)
@@ -151,7 +154,8 @@ def _interval(
             continue
         factors = sorted((end / place[key]) ** (1 / power) for end in ends)
         least, most = max(least, factors[0]), min(most, factors[1])
-    return (least, most) if least < most * (1 - _MARGIN) else None
+    is_moving = math.isfinite(most)
+    return (least, most) if is_moving and least < most * (1 - _MARGIN) else None
 
 
 def _moved(
