@@ -39,14 +39,20 @@ def _judge(options: argparse.Namespace, known: dict[str, str]) -> int:
     rows: list[Row] = []
     for contact in contacts.values():
         rows += judged.errors_of(contact, table, known, options.folder)
-    write_rows(RECORD / "sample.csv", rows, digits=4)
+    _record(rows, "sample.csv", options.folder)
     rows = factors.read_errors(RECORD / "sample.csv")
     held_out = factors.coverage(rows, table)
-    write_rows(RECORD / "coverage.csv", held_out, digits=4)
+    _record(held_out, "coverage.csv", options.folder)
     factors.write_table(factors.factors(rows, table), len({row["contact"] for row in rows}))
     for row in held_out:
         print(", ".join(f"{k} {v:.4g}" if isinstance(v, float) else str(v) for k, v in row.items()))
     return int(any(row["covered"] < 0.975 for row in held_out if row["class"] == "all"))
+
+
+def _record(rows: list[Row], name: str, folder: Path) -> None:
+    """Write a table to the folder of the run, and to the record in place of the former."""
+    write_rows(folder / name, rows, digits=4)
+    Writer(overwrite=True).text(RECORD / name, (folder / name).read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

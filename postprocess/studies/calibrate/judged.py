@@ -135,7 +135,7 @@ def read_contacts(path: Path) -> list[Row]:
 def write_contacts(path: Path, contacts: Iterable[Row]) -> None:
     """Write the contacts of a record."""
     lines = [json.dumps(contact, separators=(",", ":")) for contact in contacts]
-    Writer().text(path, "\n".join(lines) + "\n")
+    Writer(overwrite=True).text(path, "\n".join(lines) + "\n")
 
 
 def _number(found: Row, names: tuple[str, ...]) -> complex:
