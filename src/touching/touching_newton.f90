@@ -111,12 +111,12 @@ contains
       real(dp), allocatable :: b(:), x(:)
 
       call self%system%pose(self%problem, self%law, self%equations, .not. allocated(self%past%f), state, sides)
-      allocate (b(self%system%n), x(self%system%n))
-      call self%system%residuals(sides, b)
+      allocate (b(self%system%unknowns%n), x(self%system%unknowns%n))
+      call self%system%unknowns%residuals(sides, b)
       self%gmres%largest_steps = largest_krylov
       call self%gmres%solve(self%system, b, x, tolerance)
       report%linear_steps = report%linear_steps + self%gmres%steps
-      call self%system%changes(x, change)
+      call self%system%unknowns%changes(x, change)
       call self%system%release()
    end subroutine solve_linear
 

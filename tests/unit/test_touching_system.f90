@@ -45,11 +45,11 @@ contains
       call equations%linearise(past, state)
       sides = new_change(problem%grid)
       call system%pose(problem, law, equations, .not. marches, state, sides)
-      allocate (b(system%n), x(system%n), y(system%n))
+      allocate (b(system%unknowns%n), x(system%unknowns%n), y(system%unknowns%n))
       sides%p = equations%residual
       sides%delta = 0.1_dp
       where (state%is_touching) sides%c = noise(size(sides%c, 1), size(sides%c, 2))
-      call system%residuals(sides, b)
+      call system%unknowns%residuals(sides, b)
       gmres%largest_steps = 40
       call gmres%solve(system, b, x, 1e-6_dp)
       call test%check(gmres%reduction <= 1e-6_dp, name//': solved in 40 steps')
@@ -124,7 +124,7 @@ contains
       real(dp) :: part
 
       change = new_change(problem%grid)
-      call system%changes(x, change)
+      call system%unknowns%changes(x, change)
       part = step/max(maxval(abs(change%p)), maxval(abs(change%c)), abs(change%delta))
       call move(change, -part)
       call equations%evaluate(problem, law, given, past, state)
