@@ -229,7 +229,7 @@ def test_solids_bear_and_rub_like_the_oil(tmp_path: Path, share: float) -> None:
 
 def test_pressure_of_solids_is_drawn(tmp_path: Path) -> None:
     """Where surfaces touch, figures show the pressure of oil and solids, and the touching area."""
-    oil = read_case(case_file(tmp_path))
+    oil = read_case(case_file(tmp_path)).assign(minimum_film=0.1)
     solids = xr.where(oil["x"] > 0.5, oil["pressure"], 0.0)
     both = oil.assign(pressure=oil["pressure"] - solids, contact_pressure=solids)
     for draw in (case_figure, contact_figure):
