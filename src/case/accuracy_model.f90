@@ -10,14 +10,11 @@ module ehlwave_accuracy_model
    implicit none (type, external)
    private
    public :: expected_film_error, expected_long_step_error, expected_ratio_error, &
-      expected_step_error, largest_mesh, points_for, spike_factor, steady_work_units, step_work_units
+      expected_step_error, largest_mesh, points_for, steady_work_units, step_work_units
 
    real(dp), parameter :: film_factor = 0.172_dp           !! model 'film'
    real(dp), parameter :: moving_factor = 0.265_dp         !! model 'moving_ratio'
    real(dp), parameter :: standing_factor = 0.0592_dp      !! model 'standing_ratio'
-   !> Factor on errors of responses and of friction shown by grids. Of 393 random responses three exceeded it, by
-   !> 1.5 to 1.7 times; of 694 random frictions five, by 1.4 to 1.8 times.
-   real(dp), parameter, public :: grids_margin = 1.6_dp
    !> Ratio of the errors of the fitted and the averaged scheme, as a reduced steepness of the inlet. Measured (96 to
    !> 512 cells along X; M = 100 to 10,000, L = 1 to 20, D = 1 to 0.07): 0.02 to 0.065, 0.085 where hX is above half an
    !> inlet length. In shear-thinning oils 0.03 to 0.14 of the Newtonian error (Ree-Eyring, 1 to 10 MPa, S = 1 to 1.75),
@@ -176,12 +173,5 @@ contains
                          *(1 + conditions%l*sqrt(conditions%m/(1 + line_film*expected_film(conditions)))/line_alpha &
                            + conditions%m/line_load)**line_power
    end function line_steady_work
-
-   !> Times as far off numbers may be where the pressure spike of a light contact is above the Hertz pressure: it grows
-   !> with every grid.
-   elemental real(dp) function spike_factor(max_pressure)
-      real(dp), intent(in) :: max_pressure   !! largest pressure of the smooth contact, over the Hertz pressure
-      spike_factor = max(1.0_dp, max_pressure)**2
-   end function spike_factor
 
 end module ehlwave_accuracy_model

@@ -1,6 +1,6 @@
 !> The plan of one case without its effects: what is computed, on which grid, in how many steps, and why.
 module ehlwave_bare_plan
-   use ehlwave_accuracy_model, only: expected_film_error, spike_factor, wave_x_factor
+   use ehlwave_accuracy_model, only: expected_film_error, wave_x_factor
    use ehlwave_case_files, only: case_file_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_error_parts, only: error_parts_t
@@ -64,10 +64,7 @@ module ehlwave_bare_plan
    contains
       procedure :: expected_film_mesh_error
       procedure :: wave_mesh_error
-      procedure :: model_margin
-      procedure :: model_ratio_error
-      procedure :: least_ratio_error
-      procedure :: light_ratio_error
+      procedure :: expected_ratio_mesh_error
       procedure :: expected_work
       procedure :: expected_seconds
       procedure :: has_work_cap
@@ -96,63 +93,16 @@ contains
          wave_mesh_error = wave_x_factor*(self%surfaces%largest_slip()/self%resolution%points_x)**2
    end function wave_mesh_error
 
-   !> Safety factor on the plan's error model
-   pure real(dp) function model_margin(self, max_pressure)
-      class(bare_plan_t), intent(in) :: self
-      real(dp), intent(in) :: max_pressure   !! of the smooth contact, over the Hertz pressure
-      real(dp), parameter :: usual_margin = 2, usual_ratio = 2
-      model_margin = usual_margin*max(1.0_dp, (self%hy/(usual_ratio*self%hx))**2)*spike_factor(max_pressure)
-   end function model_margin
-
-   !> Relative error of Ad/Ai by the mesh, where no coarser grid shows it. Under slip the mesh shifts the phases of two
-   !> waves, which the model lacks: measured 2 to 10 over the square of the points per wave for S = 0.3 to 0.76 and
-   !> 1.37 where the formula gives Ad/Ai above 0.8, at most 1 in pure rolling. Ad/Ai is no better than the film, on
-   !> which it depends: 1.0 to 2.2 times the film error in random cases, 3.6 times with a Ree-Eyring oil of 0.2 MPa,
-   !> 3.3 times for stationary waves (S = 0, M = 37, D = 0.2). Stationary waves also reach 38 over the square of the
-   !> points (M = 68, D = 0.48, Ree-Eyring).
-   pure real(dp) function model_ratio_error(self, max_pressure, film_error)
-      class(bare_plan_t), intent(in) :: self
-      real(dp), intent(in) :: max_pressure   !! see `model_margin`
-      real(dp), intent(in) :: film_error     !! relative, of the smooth H(0,0) of the case, by its mesh
-      real(dp), parameter :: film_share = 1.5_dp, thinning_share = 3, sliding_share = 2   ! the last at S = 0 and 2
-      real(dp), parameter :: slip_factor = 6, largest_slip = 0.5_dp, standing_factor = 30   ! the last at S = 0
-      associate (slip => abs(self%conditions%slip_parameter - 1))
-         model_ratio_error = max(self%model_margin(max_pressure)*self%expected%mesh, &
-                                 (merge(film_share, thinning_share, self%rheology%is_newtonian()) &
-                                  + sliding_share*slip)*film_error)
-         if (self%resolution%points_x > 0) model_ratio_error = model_ratio_error &
-            + (slip_factor*min(1.0_dp, slip/largest_slip) + standing_factor*max(0.0_dp, slip/largest_slip - 1))/ &
-            self%resolution%points_x**2
-      end associate
-   end function model_ratio_error
-
-   !> Least relative error of Ad/Ai, or of a response, by the mesh that two grids can show. Their values can agree by
-   !> chance. In 17 random cases the expected error was 0.65 to 3 times the error, an estimate from grids 0.02 to 3
-   !> times. Where the film error exceeds the model, so does the error of Ad/Ai: both come from the inlet (line
-   !> contacts: film errors are 1.2 to 1.5 times the model of elliptical contacts).
-   pure real(dp) function least_ratio_error(self, film_error)
-      class(bare_plan_t), intent(in) :: self
-      real(dp), intent(in) :: film_error      !! relative, of the smooth H(0,0) of the case, by its mesh
-      ! Larger for a fitted scheme: it goes up and down with the mesh (M = 299, longitudinal: 0.2843, 0.2858, 0.2833)
-      real(dp), parameter :: least_share = 0.8_dp, least_share_fitted = 1.2_dp
-      associate (by_waves => self%wave_mesh_error())
-         least_ratio_error = merge(least_share_fitted, least_share, self%is_fitted)*(by_waves &
-                             + (self%expected%mesh - by_waves)*max(1.0_dp, film_error/self%expected_film_mesh_error()))
-      end associate
-   end function least_ratio_error
-
-   !> Least relative error of Ad/Ai, or of a response, of a light contact, whose film is as thick as the bodies
-   !> approach: it does not come from the inlet. Where the waves keep their amplitude all other models nearly
-   !> vanish. Measured (M = 24 and 29, D = 0.15 and 0.07, 96 cells): 6.4 and 9.2 over hX^2. A fitted scheme has the
-   !> same error at any film: it leaves little else (line contact, M = 8, L = 15, S = 1.52: 9 over hX^2).
-   pure real(dp) function light_ratio_error(self, film, by_grids)
+   !> Relative error of Ad/Ai, or of a response, to expect by the mesh. In a light contact the film is as thick as the
+   !> bodies approach and does not come from the inlet: where the waves keep their amplitude the rest nearly vanishes. A
+   !> fitted scheme has the same error at any film.
+   pure real(dp) function expected_ratio_mesh_error(self, film)
       class(bare_plan_t), intent(in) :: self
       real(dp), intent(in) :: film         !! H(0,0)
-      logical, intent(in) :: by_grids      !! whether it adds to the error from coarser grids
-      real(dp), parameter :: model_factor = 8, grids_factor = 5
-      light_ratio_error = merge(grids_factor, model_factor, by_grids)*self%hx**2* &
-                          min(1.0_dp, merge(1.0_dp, film, self%is_fitted))
-   end function light_ratio_error
+      real(dp), parameter :: light_factor = 8   !! over hX^2
+      expected_ratio_mesh_error = self%expected%mesh &
+                                  + light_factor*self%hx**2*min(1.0_dp, merge(1.0_dp, film, self%is_fitted))
+   end function expected_ratio_mesh_error
 
    !> Operations to expect, error estimates included.
    elemental real(dp) function expected_work(self)

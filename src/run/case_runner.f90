@@ -63,7 +63,6 @@ contains
       type(rescue_t) :: rescue
       logical :: is_found
       character(len=:), allocatable :: failure, name, unresolved
-      real(dp), allocatable :: stress(:, :)   ! tau/ph of the smooth contact
       real(dp) :: besides, start
 
       start = wall_seconds()
@@ -80,10 +79,10 @@ contains
          call monitor%step_done('steady state', 1, 1)
          result%effects = steady%effects
          if (result%status == status_converged) then
-            call take_smooth_film(case, plan, level, stress, result)
+            call take_smooth_film(case, plan, level, result)
             call result%effects%take(plan, steady%multigrid%levels, result%work)
             result%rolling = steady%rolling
-            call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, case%tolerance, result)
+            call estimate_film_errors(plan, steady%multigrid%hierarchy_t, case%tolerance, result)
             call result%effects%add_own_errors(level%problem%grid, result%bare_result_t)
             call add_warning(result, result%effects%warning(case, plan, level%problem%grid))
             if (case%sensitivities) call find_smooth_sensitivities(case, plan, steady, result)
@@ -188,12 +187,12 @@ contains
    end subroutine compare_with_small_waves
 
    !> Film, pressure and friction of the smooth contact.
-   subroutine take_smooth_film(case, plan, level, stress, result)
+   subroutine take_smooth_film(case, plan, level, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level
-      real(dp), allocatable, intent(out) :: stress(:, :)
       type(case_result_t), intent(inout) :: result
+      real(dp), allocatable :: stress(:, :)   ! tau/ph
       result%central_film = level%problem%grid%value_at_centre(level%state%h)
       result%minimum_film = minval(level%state%h)
       result%central_film_moes = result%central_film*plan%conditions%moes_film_factor

@@ -53,9 +53,7 @@ contains
       parts = plan%expected
       parts%settling = result%settling
       if (plan%steps > 0) parts%algebraic = expected_step_error(case%step_tolerance)
-      if (result%amplitude_error_basis == 'model') &
-         parts%mesh = plan%model_ratio_error(result%max_pressure, result%central_film_error)
-      if (result%amplitude_error_basis == 'coarse_grid') &
+      if (result%amplitude_error_basis /= '') &
          parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)
       if (ieee_is_finite(result%amplitude_ratio_fit/result%harmonic%ratio) .and. case%effects%changing() == '') &
          parts%amplitude = abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1)

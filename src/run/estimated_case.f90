@@ -1,17 +1,17 @@
 !> Runs a planned case and estimates the discretisation error of its Ad/Ai.
 module ehlwave_estimated_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_accuracy_model, only: expected_step_error, spike_factor
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: file_changed_since, file_digests
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
    use ehlwave_clock, only: wall_seconds
-   use ehlwave_error_estimate, only: estimate_error, likely_order
+   use ehlwave_error_factors, only: amplitude_ratio
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
+   use ehlwave_mesh_errors, only: kind_of, mesh_error, mesh_error_t
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_resolution, only: telling_inlet, telling_points_per_wave, times_as_wide
@@ -24,10 +24,6 @@ module ehlwave_estimated_case
    public :: run_estimated_case
 
    integer, parameter :: fewest_cells = 24   !! cells of a useful coarser grid
-
-   !> Factor on the error shown by three grids: of 240 random Ad/Ai in time four exceeded it, by 1.2 to 2 times. Under
-   !> slip, up to S = 0.5 and 1.5, it grows by 0.5: with 1.3 alone a case of S = 1.71 exceeded the bound 1.2 times.
-   real(dp), parameter :: march_margin = 1.3_dp, slip_margin = 0.5_dp, largest_slip = 0.5_dp
 
    !> Asked to stop, the coarse runs are finished if that takes no longer.
    real(dp), parameter :: largest_delay_s = 10
@@ -57,9 +53,9 @@ contains
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), target, optional :: shared
       class(march_keeper_t), intent(inout), optional :: keeper   !! see `run_case`
-      real(dp), allocatable :: estimates(:), ratios(:, :)   ! values of each surface
-      real(dp) :: by_effects, estimate, seconds
-      integer :: n, status
+      real(dp), allocatable :: ratios(:, :)   ! values of each surface
+      real(dp) :: seconds
+      integer :: status
 
       if (case%effects%touching%is_given()) then
          call run_touching(case, plan, monitor, result, keeper)
@@ -68,11 +64,7 @@ contains
       call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
       if (.not. any(ieee_is_finite(ratios_of(plan, result)))) return
-      by_effects = result%effects%film_error()
-      estimate = max(plan%model_ratio_error(result%max_pressure, result%central_film_error), &
-                     plan%light_ratio_error(result%central_film, .false.))
-      result%amplitude_ratio_error = estimate + plan%expected%time + plan%expected%algebraic + by_effects
-      result%amplitude_error_basis = 'model'
+      call take_ratio_error(plan, reshape(ratios_of(plan, result), [size(plan%surfaces%list), 1]), result)
       if (case%error_estimate /= 'coarse_grid') return
 
       call coarse_ratios(case, plan, monitor, result, ratios, seconds, status)
@@ -84,25 +76,32 @@ contains
       result%work_units = result%work_units*(1 + seconds/result%seconds)
       result%seconds = result%seconds + seconds
       result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
-      associate (order => likely_order(result%film_order, plan%resolution, plan%steepness))
-         ratios = reshape([ratios_of(plan, result), ratios], [size(ratios, 1), size(ratios, 2) + 1])
-         estimates = [(estimate_error(ratios(n, :), order), n=1, size(ratios, 1))]
-      end associate
-      if (all(ieee_is_finite(estimates) .or. .not. ieee_is_finite(ratios(:, 1)))) then
-         ! the pressure spike of a light contact grows with the grid, and takes the waves along
-         estimate = (march_margin + slip_margin*min(1.0_dp, abs(plan%conditions%slip_parameter - 1)/largest_slip)) &
-                    *spike_factor(result%max_pressure)* &
-                    max(maxval(estimates, ieee_is_finite(estimates)), &
-                        plan%least_ratio_error(result%central_film_error)) + by_effects
-         estimate = max(estimate, plan%light_ratio_error(result%central_film, .true.))
-         ! the response to the same waves, if available, has no better estimate
-         if (ieee_is_finite(result%harmonic%error)) estimate = max(estimate, result%response_error())
-         result%amplitude_ratio_error = estimate
-         if (plan%steps > 0) result%amplitude_ratio_error = estimate + plan%expected%time &
-            + expected_step_error(case%step_tolerance)
-         result%amplitude_error_basis = 'coarse_grid'
-      end if
+      call take_ratio_error(plan, reshape([ratios_of(plan, result), ratios], &
+                                          [size(ratios, 1), size(ratios, 2) + 1]), result)
    end subroutine run_estimated_case
+
+   !> Relative error of Ad/Ai, the larger of two surfaces, with the parts by time steps and their tolerance. The
+   !> response to the same waves, if available, has no smaller error.
+   subroutine take_ratio_error(plan, ratios, result)
+      type(case_plan_t), intent(in) :: plan
+      real(dp), intent(in) :: ratios(:, :)           !! ratios of each surface, finer grid first
+      type(case_result_t), intent(inout) :: result
+      type(mesh_error_t) :: error
+      real(dp) :: largest
+      integer :: n
+
+      largest = 0
+      do n = 1, size(ratios, 1)
+         if (.not. ieee_is_finite(ratios(n, 1))) cycle
+         error = mesh_error(amplitude_ratio, kind_of(plan%is_fitted, plan%conditions%is_line()), ratios(n, :), &
+                            plan%expected_ratio_mesh_error(result%central_film))
+         largest = max(largest, error%relative)
+         result%amplitude_error_basis = error%basis
+      end do
+      if (ieee_is_finite(result%harmonic%error)) largest = max(largest, result%response_error())
+      result%amplitude_ratio_error = largest + result%effects%film_error() + plan%expected%time &
+                                     + plan%expected%algebraic
+   end subroutine take_ratio_error
 
    !> Ad/Ai of each surface.
    pure function ratios_of(plan, result) result(ratios)

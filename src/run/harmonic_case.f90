@@ -1,17 +1,16 @@
 !> The linear response of a case: no time steps.
 module ehlwave_harmonic_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_accuracy_model, only: grids_margin, spike_factor
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_effect_keys, only: by_second_order
-   use ehlwave_error_estimate, only: formal_order, likely_order
-   use ehlwave_film_errors, only: limit_spread
+   use ehlwave_error_factors, only: of_response => response
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, mean_change_t
+   use ehlwave_mesh_errors, only: kind_of, mesh_error, mesh_error_t
    use ehlwave_pair_responses, only: take_pair_responses
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_sensitivity_case, only: find_response_sensitivities
@@ -24,14 +23,6 @@ module ehlwave_harmonic_case
    implicit none (type, external)
    private
    public :: run_responses
-
-   !> Points on a wave, above the fewest, that show the second order with two grids. With 4, errors with 12 to 18 points
-   !> were 1.1 to 1.7 times the estimate.
-   real(dp), parameter :: enough_points = 12
-
-   !> Least share of the film error, where P exceeds the Hertz pressure. Two of 511 random responses exceeded the
-   !> two-grid estimate by 2.2 and 2.6 times, the film error by 2.7 and 3.5 times: contacts with P = 1.31 and 1.02.
-   real(dp), parameter :: film_share = 1.5_dp
 
 contains
 
@@ -77,7 +68,7 @@ contains
       type(mean_change_t), intent(out) :: mean
       type(harmonic_response_t) :: coarse
       type(waviness_t) :: waves
-      real(dp) :: by_effects, finish, room, start, work_before
+      real(dp) :: finish, room, start, work_before
       integer :: n
 
       n = size(steady%multigrid%levels)
@@ -116,64 +107,48 @@ contains
          harmonic%p = response%p
          harmonic%h = response%h
       end if
-      by_effects = result%effects%film_error()
-      ! unless a coarser grid shows more
-      harmonic%error = max(error_by_model(plan, result, harmonic), &
-                           plan%light_ratio_error(result%central_film, .false.)) + by_effects
-      harmonic%error_basis = 'model'
+      call estimate_error(plan, result, harmonic, [response%film], abs(response%approach))
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), waves, case%natural_frequency, &
                                           plan%steps_per_cell, coarse)
       if (coarse%status /= status_converged) return
-      call harmonic%extrapolate(coarse%film, coarse%pressure, order_of_response(plan, result))
-      ! the pressure spike of a light contact grows with the grid, which makes estimates of waves less reliable than of
-      ! the film; the wave of the oil under slip starts there
-      if (result%max_pressure > 1) harmonic%error = max(harmonic%error, film_share*result%central_film_error)
-      ! the motion of the bodies is as uncertain as the film; it matters for waves that the contact flattens, and near
-      ! resonance, where the bodies move more than the waves
-      if (harmonic%ratio > 0) harmonic%error = max(harmonic%error, &
-         film_share*result%central_film_error*abs(response%approach)/harmonic%ratio)
-      if (waves%moves() .and. abs(plan%conditions%slip_parameter - 1) > 0) &
-         harmonic%error = harmonic%error*spike_factor(result%max_pressure)
-      harmonic%error = max(grids_margin*max(harmonic%error, plan%least_ratio_error(result%central_film_error)), &
-                           plan%light_ratio_error(result%central_film, .true.)) + by_effects
-      harmonic%error_basis = 'coarse_grid'
+      call harmonic%extrapolate(coarse%film, coarse%pressure)
+      call estimate_error(plan, result, harmonic, [response%film, coarse%film], abs(response%approach))
    end subroutine run_response
 
-   !> Order to expect of a response. Where the stress is at its limit all around the centre, the small remaining part of
-   !> the rate moves the oil there: M = 63, L = 14, D = 0.084, S = 0.68, transverse 2.8 a, gave 1.010, 1.028, 1.002,
-   !> 0.981 on 32 to 256 cells. In light contacts the order appears late, as for the largest pressure: M = 18, D = 0.2,
-   !> H = 0.8, longitudinal 1.8 a, gave 0.699, 0.648, 0.611, 0.595 on 32 to 256 cells.
+   !> Relative error of the response by the mesh. The motion of the bodies is as uncertain as the film: it matters for
+   !> waves that the contact flattens, and near resonance. Without a coarser grid two waves that nearly cancel have the
+   !> error of their sum.
+   subroutine estimate_error(plan, result, harmonic, films, approach)
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t), intent(in) :: result
+      type(harmonic_result_t), intent(inout) :: harmonic
+      complex(dp), intent(in) :: films(:)          !! H(0,0) over Ai on the grid of the case, and on the coarser grid
+      real(dp), intent(in) :: approach             !! amplitude of Delta over Ai
+      type(mesh_error_t) :: error
+      real(dp) :: both, expected
+
+      expected = plan%expected_ratio_mesh_error(result%central_film)
+      associate (fit => harmonic%waves%centre%fit)
+         both = abs(fit%attenuated) + abs(fit%complementary)
+      end associate
+      if (size(films) == 1 .and. ieee_is_finite(both)) expected = expected*max(1.0_dp, both/harmonic%ratio)
+      error = mesh_error(of_response, kind_of(plan%is_fitted, plan%conditions%is_line()), films, expected, &
+                         order_of_response(plan, result))
+      harmonic%error = max(error%relative, result%central_film_error*approach/harmonic%ratio) &
+                       + result%effects%film_error()
+      harmonic%error_basis = error%basis
+   end subroutine estimate_error
+
+   !> Order of a response in the mesh size. Where the stress is at its limit all around the centre, the small remaining
+   !> part of the rate moves the oil there, and the order is low.
    pure real(dp) function order_of_response(plan, result) result(order)
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
       real(dp), parameter :: saturated = 2, order_at_limit = 0.5_dp   ! tangent factor at the centre from which on
-      real(dp), parameter :: light_film = 0.3_dp, least_light = 1.5_dp   ! H(0,0) from which on, and that order at least
-      order = likely_order(result%film_order, plan%resolution, plan%steepness, enough_points)
-      order = min(order, max(least_light, formal_order - max(0.0_dp, result%central_film - light_film)))
-      if (plan%rheology%is_limited() .and. any(result%shear%tangent_factor > saturated)) &
-         order = order_at_limit
+      order = 2
+      if (plan%rheology%is_limited() .and. any(result%shear%tangent_factor > saturated)) order = order_at_limit
    end function order_of_response
-
-   !> Relative error of the response by the mesh, where no coarser grid shows it. Two waves that nearly cancel have the
-   !> error of their sum: waves of 0.27 and 0.24 of Ai left 0.046, 22 per cent off with 10 points per wave.
-   pure real(dp) function error_by_model(plan, result, harmonic) result(error)
-      type(case_plan_t), intent(in) :: plan
-      type(case_result_t), intent(in) :: result
-      type(harmonic_result_t), intent(in) :: harmonic
-      real(dp), parameter :: phase_factor = 1.5_dp   !! factor on the error of each wave, over the square of the points
-                                                     !! on it
-      real(dp) :: both
-
-      error = limit_spread(plan, result)*plan%model_ratio_error(result%max_pressure, result%central_film_error)
-      if (.not. plan%resolution%points_x > 0) return
-      associate (fit => harmonic%waves%centre%fit)
-         both = abs(fit%attenuated) + abs(fit%complementary)
-      end associate
-      if (.not. ieee_is_finite(both)) return       ! it moves with neither surface, or is outside the contact
-      if (both > harmonic%ratio) error = max(error, both/harmonic%ratio* &
-         (plan%model_margin(result%max_pressure)*plan%expected%mesh + phase_factor/plan%resolution%points_x**2))
-   end function error_by_model
 
    !> The change of the mean by waves of this amplitude, and whether they touch.
    subroutine find_mean(waves, steady, response, result, harmonic, change)

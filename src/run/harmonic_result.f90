@@ -68,11 +68,10 @@ contains
    end subroutine take_mean
 
    !> Richardson extrapolation of the complex transfer functions from the grid of the case and a grid with twice the
-   !> mesh size: T + (T - T_coarse)/3. The size of a correction of that order, 2 or less, is the error estimate.
-   pure subroutine extrapolate(self, coarse_film, coarse_pressure, order)
+   !> mesh size: T + (T - T_coarse)/3.
+   pure subroutine extrapolate(self, coarse_film, coarse_pressure)
       class(harmonic_result_t), intent(inout) :: self
       complex(dp), intent(in) :: coarse_film, coarse_pressure
-      real(dp), intent(in) :: order
       complex(dp) :: correction, film
       film = cmplx(self%real_part, self%imaginary_part, dp)
       if (.not. ieee_is_finite(abs(coarse_film))) return
@@ -80,7 +79,6 @@ contains
       self%film_limit = film + correction
       self%pressure_limit = self%pressure + (self%pressure - coarse_pressure)/(error_ratio - 1)
       self%extrapolated = abs(self%film_limit)
-      self%error = abs(film - coarse_film)/((2**order - 1)*abs(film))
    end subroutine extrapolate
 
 end module ehlwave_harmonic_result

@@ -3,9 +3,10 @@ module ehlwave_rolling_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_error_estimate, only: estimate_error, formal_order
+   use ehlwave_error_factors, only: rolling
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, no_value
+   use ehlwave_mesh_errors, only: kind_of, mesh_error, mesh_error_t
    use ehlwave_rolling_moment, only: shift_inside, shift_outside, wet_share
    use ehlwave_state, only: state_t
    implicit none (type, external)
@@ -29,8 +30,6 @@ module ehlwave_rolling_result
    end type rolling_result_t
 
    integer, parameter :: fewest_domains = 2        !! out to which oil counts, at least
-   real(dp), parameter :: mesh_margin = 2           !! factor on the error shown by grids
-   real(dp), parameter :: first_order = 1          !! with two grids
    real(dp), parameter :: film_share = 0.25_dp     !! share of the film error, at least: grids can agree by chance
    real(dp), parameter :: far_share = 0.03_dp      !! error of the far field, over its contribution
 
@@ -41,6 +40,7 @@ contains
       class(rolling_result_t), intent(inout) :: self
       type(level_t), intent(in) :: levels(:)   !! finest first
       logical, intent(in) :: is_first_order    !! whether errors by the mesh are
+      type(mesh_error_t) :: error
       real(dp) :: all_outside, outside, shift(size(levels)), times
       integer :: l
 
@@ -55,7 +55,9 @@ contains
          self%pressure_centre_x = -shift(1)
          self%share_outside = outside/shift(1)
          self%share_missing = (all_outside - outside)/shift(1)
-         self%error = mesh_margin*estimate_error(shift, merge(first_order, formal_order, is_first_order))
+         error = mesh_error(rolling, kind_of(problem%grid%is_fitted, problem%grid%is_line), shift, 0.0_dp, &
+                            merge(1.0_dp, 2.0_dp, is_first_order))
+         self%error = error%relative
          if (problem%conditions%radius_over_a() > 0) &
             self%coefficient = shift(1)/(2*problem%conditions%radius_over_a())
       end associate

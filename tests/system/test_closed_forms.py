@@ -13,7 +13,7 @@ from ehlwave_program import SKIPPED, last_line, namelist, run
 try:
     import h5py
     import numpy as np
-    from ehlwave import formula
+    from ehlwave.contact import formula
     from ehlwave.contact import conditions_from_keys, hertz_medium
     from ehlwave.contact.scales import moes_film
 except ImportError as error:

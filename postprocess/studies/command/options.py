@@ -60,7 +60,9 @@ NUMBER = value_of("[0-9]{1,9}", int, "a whole number")
 POSITIVE = value_of(r"(?=.*[1-9])[0-9]{1,9}(\.[0-9]+)?", float, "a number above 0")
 PATH = value_of("(?s).+", lambda text: Path(text).resolve(), "a name")
 METHOD = value_of("auto|newton|fas|petsc", str, "auto, newton, fas or petsc")
+PART = value_of("[1-9][0-9]{0,5}/[1-9][0-9]{0,5}", str, "a part as 2/8")
 KINDS = {"METHOD": METHOD, "N": COUNT, "SECONDS": COUNT, "COUNT": NUMBER, "MINUTES": POSITIVE}
+KINDS |= {"I/N": PART}
 """Type of an option, by the word that its help has for the value; others are paths."""
 
 

@@ -139,10 +139,7 @@ def estimate_rows(table: pd.DataFrame) -> pd.DataFrame:
 
 
 def richardson(values: Sequence[float]) -> float:
-    """Return the relative error of the first of the values on h, 2h, 4h, as ehlwave-case does.
-
-    See ``estimate_error`` in src/run/error_estimate.f90.
-    """
+    """Return the relative error of the first of the values on h, 2h, 4h by Richardson."""
     if not all(map(math.isfinite, values[:2])):
         return math.nan
     order = 2.0

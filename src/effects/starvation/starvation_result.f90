@@ -5,7 +5,6 @@ module ehlwave_starvation_result
    use ehlwave_case_definition, only: case_t
    use ehlwave_effect_result, only: effect_result_t
    use ehlwave_energy, only: energy_t
-   use ehlwave_error_estimate, only: estimate_error
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t
@@ -14,6 +13,7 @@ module ehlwave_starvation_result
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_march_settings, only: march_settings_t
    use ehlwave_oil_passage, only: follow_oil, oil_passage_t
+   use ehlwave_mesh_errors, only: richardson_error
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_rescue, only: rescue_t
@@ -95,7 +95,7 @@ contains
          ratios = levels%central_film/flooded%film
          self%flooded_film = flooded%film(n)
          self%film_over_flooded = ratios(n)
-         self%film_over_flooded_error = estimate_error(ratios(n:1:-1))
+         self%film_over_flooded_error = richardson_error(cmplx(ratios(n:1:-1), kind=dp))
          self%oil_over_flooded = level%given%supply(minloc(abs(grid%y), 1) - 1)/flooded%oil(n)
          self%solve_over_flooded = work/flooded%work - 1
          call follow_oil(level%problem, level%given, level%state, self%passage)

@@ -35,14 +35,14 @@ class Ehlwave(CMakePackage, PythonExtension):
 
     extends("python@3.10:", when="+python")
     with when("+python"), default_args(type="run"):
-        depends_on("py-numpy@1.24:")
-        depends_on("py-scipy@1.12:")
-        depends_on("py-h5py@3.8:")
-        depends_on("py-xarray@2023.6:")
-        depends_on("py-h5netcdf@1.2:")
-        depends_on("py-matplotlib@3.7:")
-        depends_on("py-lmfit@1.2:")
-        depends_on("py-pandas@2.0:")
+        depends_on("py-numpy@2.1:")
+        depends_on("py-scipy@1.13:")
+        depends_on("py-h5py@3.11:")
+        depends_on("py-xarray@2024.6:")
+        depends_on("py-h5netcdf@1.4:")
+        depends_on("py-matplotlib@3.9:")
+        depends_on("py-lmfit@1.3.2:")
+        depends_on("py-pandas@2.2.3:")
 
     depends_on("python@3.10:", type="test", when="~python")   # ehlwave-accept
 

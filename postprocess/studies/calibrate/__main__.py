@@ -1,0 +1,59 @@
+"""Calibration of declared errors: draw and compute contacts, judge them, write the factors."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from ehlwave.writing import Writer
+from studies.all_keys.table import key_groups
+from studies.calibrate import factors, judged, sample
+from studies.command import checks
+from studies.command.options import step_parser
+from studies.programs import ROOT
+from studies.sweeps import Row, write_rows
+
+RECORD = ROOT / "postprocess" / "record" / "accuracy"
+
+
+def main() -> int:
+    """Extend the sample by a part of the contacts, or judge all of it."""
+    parser = step_parser(checks.accuracy, __doc__)
+    parser.add_argument("what", choices=["extend", "judge"])
+    parser.add_argument("folder", type=Path)
+    options = parser.parse_args()
+    Writer().folder(options.folder)
+    known = key_groups()
+    if options.what == "extend":
+        sample.extend(options.folder, sample.part_of(options.part), options.contacts, known)
+        return 0
+    return _judge(options, known)
+
+
+def _judge(options: argparse.Namespace, known: dict[str, str]) -> int:
+    """Write contacts, errors, factors and coverage; return 1 where a class is not covered."""
+    contacts = {one["number"]: one for one in judged.read_contacts(RECORD / "contacts.jsonl")}
+    fresh = (judged.distilled(one) for one in sample.kept(options.folder))
+    contacts |= {one["number"]: one for one in fresh if one is not None}
+    judged.write_contacts(RECORD / "contacts.jsonl", contacts.values())
+    table = factors.read_table()
+    rows: list[Row] = []
+    for contact in contacts.values():
+        rows += judged.errors_of(contact, table, known, options.folder)
+    _record(rows, "sample.csv", options.folder)
+    rows = factors.read_errors(RECORD / "sample.csv")
+    held_out = factors.coverage(rows, table)
+    _record(held_out, "coverage.csv", options.folder)
+    factors.write_table(factors.factors(rows, table), len({row["contact"] for row in rows}))
+    for row in held_out:
+        print(", ".join(f"{k} {v:.4g}" if isinstance(v, float) else str(v) for k, v in row.items()))
+    return int(any(row["covered"] < 0.975 for row in held_out if row["class"] == "all"))
+
+
+def _record(rows: list[Row], name: str, folder: Path) -> None:
+    """Write a table to the folder of the run, and to the record in place of the former."""
+    write_rows(folder / name, rows, digits=4)
+    Writer(overwrite=True).text(RECORD / name, (folder / name).read_text(encoding="utf-8"))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

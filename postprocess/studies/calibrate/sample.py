@@ -1,0 +1,98 @@
+"""Runs of a contact of the sample on six grids."""
+
+import json
+import os
+import resource
+import subprocess
+from pathlib import Path
+from typing import Any
+
+from ehlwave.writing import Writer, keep_own_file
+from studies import programs
+from studies.all_keys.draw import Row
+from studies.calibrate.contacts import classes_of, drawn, scaled, widened
+
+SECONDS = {"base": 2, "half": 1, "quarter": 1, "double": 4, "fourfold": 8, "wide": 4}
+"""Processor time of each run, at most: the sample depends on no other load of the machine."""
+VALUES = (
+    *("central_film", "minimum_film", "friction_coefficient", "rolling_resistance"),
+    *("harmonic_ratio", "harmonic_real", "harmonic_imaginary"),
+    *("harmonic_real_2", "harmonic_imaginary_2", "amplitude_ratio_fit", "amplitude_ratio_fit_2"),
+)
+DATA = (
+    *("status", "rung", "is_resolved", "gamma", "load_parameter_m", "lubricant_parameter_l"),
+    *("radius_ratio_d", "slip_parameter", "max_pressure", "domain_x_min", "cells_x", "cells_y"),
+    *("wavelength_x_over_a", "wavelength_y_over_a", "points_per_wave_x", "points_per_wave_y"),
+    *("inlet_resolution", "scheme", "film_error_basis", "harmonic_error_basis"),
+    *("amplitude_error_basis", "harmonic_approach", "warning", "total_work_units", "seconds"),
+)
+
+
+def computed(number: int, known: dict[str, str], folder: Path) -> Row:
+    """Return the contact of a number, and its results on all grids."""
+    row = drawn(number, known, folder)
+    runs: dict[str, Row | None] = {"base": solved("base", row, known, folder)}
+    base = runs["base"]
+    if base is not None and base["central_film"] is not None:
+        for name, factor in (("half", 0.5), ("quarter", 0.25), ("double", 2), ("fourfold", 4)):
+            runs[name] = solved(name, scaled(row, factor), known, folder)
+            if runs[name] is None and name in ("half", "double"):
+                break
+        if not {"march", "periodic"} & set(classes_of(row)):
+            runs["wide"] = solved("wide", widened(row), known, folder)
+    return {"number": number, "row": row, "classes": classes_of(row), "runs": runs}
+
+
+def solved(name: str, row: Row, known: dict[str, str], folder: Path) -> Row | None:
+    """Return what the sample keeps of a run; None if it was refused or took too long."""
+    groups: dict[str, dict[str, Any]] = {}
+    for key, value in row.items():
+        groups.setdefault(known[key], {})[key] = value
+    path = folder / "case.nml"
+    keep_own_file(path, programs.namelist(groups).encode())
+    limits = (SECONDS[name], SECONDS[name] + 1)
+    outcome = subprocess.run(
+        [programs.program("case"), path, "--json", "--quiet"],
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, limits),
+        env={**os.environ, "OMP_NUM_THREADS": "1"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    if outcome.returncode not in (0, 1):
+        return None
+    found: Row = programs.last_line(outcome)
+    errors = {key: value for key, value in found.items() if "error" in key and value is not None}
+    plain = {key: found[key] for key in (*VALUES, *DATA) if found.get(key) is not None}
+    return dict.fromkeys(VALUES) | plain | (errors if name == "base" else {})
+
+
+def numbers_of(part: tuple[int, int], count: int) -> range:
+    """Return the numbers of contacts that a part of several computes."""
+    index, parts = part
+    return range(index - 1, count, parts)
+
+
+def part_of(text: str | None) -> tuple[int, int]:
+    """Return the part of the work: given as i/n, else of the rank in a batch job, else all."""
+    if text:
+        index, parts = map(int, text.split("/"))
+        return index, parts
+    rank, ranks = os.environ.get("SLURM_PROCID"), os.environ.get("SLURM_NTASKS")
+    return (int(rank) + 1, int(ranks)) if rank and ranks else (1, 1)
+
+
+def extend(folder: Path, part: tuple[int, int], count: int, known: dict[str, str]) -> None:
+    """Compute the missing contacts of a part, and keep each when it is done."""
+    done = {row["number"] for row in kept(folder)}
+    own = Writer().folder(folder / f"part-{part[0]}-of-{part[1]}")
+    for number in numbers_of(part, count):
+        if number not in done:
+            found = json.dumps(computed(number, known, own))
+            keep_own_file(own / f"{number}.json", found.encode())
+
+
+def kept(folder: Path) -> list[Row]:
+    """Return all contacts that are done, by their numbers."""
+    rows = [json.loads(path.read_text()) for path in folder.glob("part-*/[0-9]*.json")]
+    return sorted(rows, key=lambda row: row["number"])
