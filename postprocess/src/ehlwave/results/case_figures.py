@@ -224,7 +224,7 @@ def _outline_touching(axes: Axes, case: xr.Dataset, units: Units) -> None:
 def _draw_solids(axes: Axes, place: Floats, pressure: Floats) -> None:
     """Fill the pressure of the solids, below the pressure of oil and solids together."""
     axes.fill_between(place, pressure, color=COLOURS[1], alpha=0.3, linewidth=0, label="solids")
-    axes.legend(loc="upper right", edgecolor="none", framealpha=0.9)
+    axes.legend(loc="upper right", frameon=False)
 
 
 def _draw_rises(axes: Axes, case: xr.Dataset, units: Units) -> None:
