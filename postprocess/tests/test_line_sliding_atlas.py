@@ -96,6 +96,30 @@ def test_film_and_friction_are_those_of_the_program() -> None:
     assert film.central_error < 0.05
 
 
+def test_errors_of_films_grow_where_the_networks_of_the_atlas_differ() -> None:
+    """The oil at ends of its ranges, and much slip: 1.5 times the error before."""
+    corner = {
+        "load_parameter_m": 41.619,
+        "lubricant_parameter_l": 18.202,
+        "radius_ratio_d": 0.0,
+        "pressure_viscosity_per_pa": 1.0331e-8,
+        "roelands_index": 0.79347,
+        "slip_parameter": 0.30351,
+        "reduced_modulus_pa": MODULUS,
+        "eyring_stress_pa": 17.208e6,
+    }
+    film = ehlwave.Contact(**corner).film(by="laws")
+    # ehlwave-case, 6144 cells over X of -9 to 2.5, whose own errors are 0.03 % and 0.04 %
+    assert film.central_moes == pytest.approx(4.6497, rel=film.central_error + 0.0003)
+    assert film.minimum_moes == pytest.approx(3.7977, rel=film.minimum_error + 0.0004)
+    assert film.central_error < 0.03
+    networks = load_atlas(shipped(LINE_SLIDING))
+    keys = ehlwave.Contact(**GEAR).conditions.atlas_keys()
+    place = LINE_SLIDING.coordinates(keys)
+    own = float(networks.film_errors(place)[0, 0])
+    assert own < ehlwave.Contact(**GEAR).film().central_error < 1.25 * own
+
+
 def test_a_gear_has_deformed_shape_and_lambda_ratio_of_one_surface_and_of_both() -> None:
     contact = ehlwave.Contact(**GEAR)
     step = contact.conditions.semi_axis_a_m / 40

@@ -149,8 +149,16 @@ class Chart:
 
     def smallest_of_networks(self) -> tuple[float, float]:
         """Return the uncorrected smallest film, not above the central film, and its error."""
-        errors = self._networks.film_errors(self._place)[0]
+        errors = self._film_errors()
         return min(self.computed_films()), float(errors[:2].sum()) + self.film_loss
+
+    def _film_errors(self) -> Floats:
+        """Return the errors of the films; far from the data, where networks differ, they grow."""
+        errors = self._networks.film_errors(self._place)[0]
+        deviations = self._networks.kind.deviations
+        if deviations == 0:
+            return errors
+        return np.hypot(errors, deviations * self._networks.films.deviation(self._place)[0])
 
     def film(self) -> SmoothFilm:
         """Return the smooth films, and the shear stress where the kind of the atlas has it.
@@ -159,7 +167,7 @@ class Chart:
         """
         if self._thinned is not None:
             return self._thinned.film()
-        errors = self._networks.film_errors(self._place)[0]
+        errors = self._film_errors()
         central, minimum = self.computed_films()
         central_error = float(errors[0]) + self.film_loss
         minimum_error = float(errors[:2].sum()) + self.film_loss

@@ -47,8 +47,18 @@ class Committee:
 
     def __call__(self, places: Floats) -> Floats:
         """Return the outputs at places, shape (n, inputs): shape (n, outputs)."""
-        hidden = ((places - self.centre) / self.scatter).astype(self.precision)
-        return np.asarray(outputs_of(self.layers, hidden)[-1].mean(axis=0), dtype=float)
+        return np.asarray(self._members(places).mean(axis=0), dtype=float)
+
+    def deviation(self, places: Floats) -> Floats:
+        """Return the standard deviation of one more network from their mean, (n, outputs)."""
+        found = self._members(places)
+        more = (1 + 1 / len(found)) ** 0.5
+        return np.asarray(more * found.std(axis=0, ddof=1), dtype=float)
+
+    def _members(self, places: Floats) -> Singles:
+        """Return the outputs of each network: shape (networks, n, outputs)."""
+        scaled = ((places - self.centre) / self.scatter).astype(self.precision)
+        return outputs_of(self.layers, scaled)[-1]
 
 
 def outputs_of(layers: Layers, scaled: Singles) -> Sequence[Singles]:
