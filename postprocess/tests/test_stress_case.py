@@ -11,6 +11,8 @@ from test_stress_rough import KEYS, contact, rough
 from ehlwave import read_case
 from ehlwave.cli import main
 from ehlwave.errors import StressError
+from ehlwave.results.case_figures import case_figure
+from ehlwave.results.case_file import contact_figure
 from ehlwave.stress import (
     COMPONENTS,
     hertz_circle_stress,
@@ -38,6 +40,7 @@ def case_file(folder: Path, times: int = 0, half: bool = True, cells: int = 128)
         "hertz_pressure_pa": ((), PH),
         "semi_axis_a_m": ((), A),
         "semi_axis_b_m": ((), A),
+        "hertz_approach_c_m": ((), A**2 / 0.01),
     }
     coordinates = {"x": x, "y": y}
     if times:
@@ -202,3 +205,44 @@ def test_bad_input_of_the_command(tmp_path: Path, capsys: Capture) -> None:
     words = [f"{key}={value}" for key, value in KEYS.items()]
     assert main(["stress", str(text), "--conditions", *words, "--body", "2"]) == 2
     assert "--body is for a file of ehlwave-case" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("share", [0.3, 1.0])
+def test_solids_bear_and_rub_like_the_oil(tmp_path: Path, share: float) -> None:
+    """Oil and solids with equal friction: stresses do not depend on the share of the solids."""
+    oil = read_case(case_file(tmp_path))
+    text = oil.attrs["effective_input"] + "\n&touching\n  solid_friction = 0.05\n/"
+    both = oil.assign(
+        pressure=(1 - share) * oil["pressure"],
+        contact_pressure=share * oil["pressure"],
+        mean_shear_stress_pa=(1 - share) * oil["mean_shear_stress_pa"],
+    ).assign_attrs(effective_input=text)
+    depths = [0.1 * A, 0.5 * A]
+    for body in (1, 2):
+        expected, found = (stress_of_case(case, depths, body) for case in (oil, both))
+        for name in COMPONENTS:
+            np.testing.assert_allclose(found[name], expected[name], rtol=1e-9, atol=1e-6 * PH)
+    frictionless = both.assign_attrs(effective_input=text.replace("0.05", "0"))
+    change = stress_of_case(frictionless, depths)["sxz"] - stress_of_case(oil, depths)["sxz"]
+    assert abs(change).max() > 0.01 * share * PH
+
+
+def test_pressure_of_solids_is_drawn(tmp_path: Path) -> None:
+    """Where surfaces touch, figures show the pressure of oil and solids, and the touching area."""
+    oil = read_case(case_file(tmp_path)).assign(minimum_film=0.1)
+    solids = xr.where(oil["x"] > 0.5, oil["pressure"], 0.0)
+    both = oil.assign(pressure=oil["pressure"] - solids, contact_pressure=solids)
+    for draw in (case_figure, contact_figure):
+        figures = draw(oil), draw(both)
+        curves = [
+            [line.get_ydata() for axes in figure.axes for line in axes.lines] for figure in figures
+        ]
+        for first, second in zip(*curves, strict=True):
+            np.testing.assert_allclose(first, second, atol=1e-12)
+    counts = [
+        [len(axes.collections) for axes in case_figure(case).axes if axes.get_title()]
+        for case in (oil, both)
+    ]
+    assert sum(counts[1]) > sum(counts[0])
+    legends = [axes.get_legend() for axes in case_figure(both).axes]
+    assert any(legend and legend.get_texts()[0].get_text() == "solids" for legend in legends)

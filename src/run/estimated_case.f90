@@ -58,7 +58,7 @@ contains
       integer :: status
 
       if (case%effects%touching%is_given()) then
-         call run_touching(case, plan, monitor, result)
+         call run_touching(case, plan, monitor, result, keeper)
          return
       end if
       call run_case(case, plan, monitor, result, shared, keeper)

@@ -9,6 +9,7 @@ module ehlwave_touching_case
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp, no_value, pi
+   use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_planned_case, only: case_plan_t, run_march
    use ehlwave_shared_steady, only: grid_of
@@ -33,11 +34,12 @@ module ehlwave_touching_case
 contains
 
    !> Run a case on its mesh, after the same on meshes two and four times as wide, whose states begin its own.
-   subroutine run_touching(case, plan, monitor, result)
+   subroutine run_touching(case, plan, monitor, result, keeper)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
+      class(march_keeper_t), intent(inout), optional :: keeper   !! of the march on the finest mesh
       type(case_t) :: level_case
       type(case_plan_t) :: level_plan
       type(touching_values_t) :: values(most_levels)
@@ -72,7 +74,9 @@ contains
          call find_steady(case, level_plan, monitor, n == 1, has_coarser, solver, steady, result)
          has_coarser = result%status == status_converged
          state = steady
-         if (has_coarser .and. plan%kind == run_march) then
+         if (has_coarser .and. plan%kind == run_march .and. n == 1) then
+            call march_touching(case, level_plan, monitor, solver, state, values(n), result, keeper)
+         else if (has_coarser .and. plan%kind == run_march) then
             call march_touching(case, level_plan, monitor, solver, state, values(n), result)
          else if (has_coarser) then
             call values(n)%take(solver, state)
@@ -91,6 +95,7 @@ contains
          call take_solution(case, plan, solver, state, result)
       end if
       result%seconds = wall_seconds() - start
+      if (present(keeper)) result%seconds = result%seconds + keeper%seconds_before
       result%work = solver%work()
       if (allocated(solver%problem%deformation)) result%own_convolution = solver%problem%deformation%convolution
       if (result%own_convolution > 0) result%own_units = result%work/result%own_convolution
@@ -114,9 +119,8 @@ contains
       type(solve_report_t) :: report
       real(dp), allocatable :: rough(:, :)
 
-      deallocate_past: if (allocated(solver%past%f)) then
-         deallocate (solver%past%f, solver%past%passed)
-      end if deallocate_past
+      if (allocated(solver%past%f)) deallocate (solver%past%f, solver%past%passed)
+      if (allocated(solver%given%rough)) deallocate (solver%given%rough)   ! of the mesh before
       solver%law = new_touching_law(case%effects%touching%data, plan%conditions)
       if (has_coarser) first = prolonged(state, grid_of(case, plan))
       call lay_out(case, plan, solver)

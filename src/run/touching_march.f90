@@ -4,12 +4,14 @@ module ehlwave_touching_march
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_kinds, only: dp
-   use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_march_keeper, only: march_keeper_t
+   use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_solve_report, only: solve_report_t
    use ehlwave_status, only: status_converged
    use ehlwave_text, only: to_text
    use ehlwave_touching_account_result, only: touching_values_t
+   use ehlwave_touching_march_state, only: touching_march_t
    use ehlwave_touching_newton, only: touching_solver_t
    use ehlwave_touching_state, only: touching_state_t
    implicit none (type, external)
@@ -20,8 +22,9 @@ module ehlwave_touching_march
 
 contains
 
-   !> March in time from the steady state of smooth surfaces; mean values over the time that is measured.
-   subroutine march_touching(case, plan, monitor, solver, state, values, result)
+   !> March in time from the steady state of smooth surfaces; mean values over the time that is measured. After any
+   !> step a march that is stopped goes on with the same bits.
+   subroutine march_touching(case, plan, monitor, solver, state, values, result, keeper)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
@@ -29,20 +32,25 @@ contains
       type(touching_state_t), intent(inout) :: state      !! of smooth surfaces; of the last step on return
       type(touching_values_t), intent(out) :: values
       type(case_result_t), intent(inout) :: result
-      type(touching_values_t) :: now
+      class(march_keeper_t), intent(inout), optional :: keeper
+      type(touching_march_t) :: march
       type(solve_report_t) :: report
       real(dp) :: film
-      integer :: first, k, measured
+      integer :: first, k
 
       film = solver%problem%grid%value_at_centre(state%h)
       first = min(plan%first_sample + 1, plan%steps)
       if (.not. plan%measures) first = plan%steps
-      measured = plan%steps - first + 1
       call solver%equations%evaluate(solver%problem, solver%law, solver%given, solver%past, state)
       call solver%equations%remember(state%theta, plan%steps_per_cell, solver%past)
       solver%given%load%force = case%load_factor
       call begin_histories(plan, result)
-      do k = 1, plan%steps
+      if (present(keeper)) then
+         call march%gather(0, solver, state, result)
+         call keeper%load(march)
+         call march%restore(solver, state, result)
+      end if
+      do k = march%steps + 1, plan%steps
          associate (grid => solver%problem%grid)
             call take_step(solver, state, plan%surfaces%rough_at(grid%x, grid%y, k*plan%dt, film), report)
          end associate
@@ -54,22 +62,40 @@ contains
          result%residual = max(result%residual, report%residual)
          result%load_error = max(result%load_error, report%load_error)
          call solver%equations%remember(state%theta, plan%steps_per_cell, solver%past)
-         call now%take(solver, state)
-         result%film_history(k) = solver%problem%grid%value_at_centre(state%h)
-         result%approach_history(k) = state%delta
-         associate (account => result%effects%touching%account)
-            account%share_history(k) = now%share
-            account%area_history(k) = now%area
-            account%friction_history(k) = now%friction_oil
-            account%mean_film_history(k) = now%mean_film
-         end associate
-         if (k >= first) call values%add(now, measured)
+         call note_step(solver, state, k, merge(plan%steps - first + 1, 0, k >= first), march%values, result)
+         if (present(keeper)) then
+            call march%gather(k, solver, state, result)
+            call keeper%keep(march)
+         end if
          call monitor%step_done('time step with touching', k, plan%steps)
+         if (present(keeper) .and. monitor%request == stop_now) call keeper%save()
          if (monitor%request /= go_on) return
       end do
+      values = march%values
       result%time_steps = plan%steps
-      result%mean_film = sum(result%film_history(first:))/measured
+      result%mean_film = sum(result%film_history(first:))/(plan%steps - first + 1)
    end subroutine march_touching
+
+   !> Values of a step in the histories, and in the means over `measured` steps, if any.
+   subroutine note_step(solver, state, k, measured, values, result)
+      type(touching_solver_t), intent(in) :: solver
+      type(touching_state_t), intent(in) :: state
+      integer, intent(in) :: k, measured
+      type(touching_values_t), intent(inout) :: values
+      type(case_result_t), intent(inout) :: result
+      type(touching_values_t) :: now
+
+      call now%take(solver, state)
+      result%film_history(k) = solver%problem%grid%value_at_centre(state%h)
+      result%approach_history(k) = state%delta
+      associate (account => result%effects%touching%account)
+         account%share_history(k) = now%share
+         account%area_history(k) = now%area
+         account%friction_history(k) = now%friction_oil
+         account%mean_film_history(k) = now%mean_film
+      end associate
+      if (measured > 0) call values%add(now, measured)
+   end subroutine note_step
 
    !> Make room for the values of all steps.
    subroutine begin_histories(plan, result)

@@ -20,7 +20,6 @@ module ehlwave_case_work
    use ehlwave_status, only: status_interrupted
    use ehlwave_store, only: store_t
    use ehlwave_sweep_cases, only: case_limits_t
-   use ehlwave_time_march, only: steps_per_stretch
    implicit none (type, external)
    private
    public :: case_procedure, work_on_case
@@ -96,8 +95,7 @@ contains
             call watch%store%stop(identity, error)
          else
             call store_result(case, used, input, result, started, watch%store, error)
-            if (.not. allocated(error) .and. plan%kind == run_march .and. plan%steps >= steps_per_stretch) &
-               call checkpoint%discard()
+            if (.not. allocated(error) .and. plan%kind == run_march) call checkpoint%discard()
          end if
          outcome%status = result%status
          outcome%seconds = result%seconds

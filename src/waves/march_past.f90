@@ -9,6 +9,7 @@ module ehlwave_march_past
    use ehlwave_known_waves, only: known_waves_t
    use ehlwave_last_period, only: last_period_t
    use ehlwave_load_balance, only: equation_of_motion, force_balance
+   use ehlwave_march_keeper, only: kept_march_t
    use ehlwave_march_result, only: march_result_t
    use ehlwave_march_settings, only: march_settings_t
    use ehlwave_state, only: state_t
@@ -20,7 +21,7 @@ module ehlwave_march_past
    integer, parameter :: young = 3   !! steps in which the solutions before are not yet all solutions
 
    !> All that the next step depends on, besides the level and its problem, temperatures, and the solver's account.
-   type, public :: march_past_t
+   type, abstract, extends(kept_march_t), public :: march_past_t
       type(march_settings_t) :: settings
       type(march_result_t) :: result
       type(past_t) :: past

@@ -1,11 +1,13 @@
 !> Time march of a contact with moving waviness, from the smooth steady state.
 module ehlwave_time_march
+   use ehlwave_byte_stream, only: bytes_t
    use ehlwave_clock, only: wall_seconds
    use ehlwave_energy, only: energy_t
    use ehlwave_equations, only: equations_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
+   use ehlwave_march_bytes, only: pass_energy, pass_past
    use ehlwave_march_past, only: march_past_t
    use ehlwave_march_settings, only: march_settings_t
    use ehlwave_march_watcher, only: march_watcher_t
@@ -33,6 +35,7 @@ module ehlwave_time_march
       procedure :: begin
       procedure :: advance
       procedure :: take_step
+      procedure :: pass
    end type march_t
 
    !> Asked to stop, a march goes on to the end of its stretch if that takes no longer.
@@ -164,5 +167,13 @@ contains
       end if
       call self%result%count(multigrid%levels(self%l)%report)
    end subroutine solve_step
+
+   !> Pass all values that the next steps depend on, for checkpoints.
+   subroutine pass(self, bytes)
+      class(march_t), intent(inout) :: self
+      type(bytes_t), intent(inout) :: bytes
+      call pass_past(bytes, self, self%rescue)
+      if (allocated(self%energy)) call pass_energy(bytes, self%energy)
+   end subroutine pass
 
 end module ehlwave_time_march

@@ -29,6 +29,13 @@ RESCUED = {"sweep": {**LONG["sweep"], "wavelength_over_a": 1}, "waviness": {"amp
 # 216 time steps, long enough to be killed in
 SLOW = {**LONG, "grid": {"cells_x": 192, "cells_y": 96}}
 SLOWER = {**LONG, "grid": {"cells_x": 384, "cells_y": 384}}   # far from done after all output
+# two marches of surfaces that touch, of 59 steps each
+TOUCHING = {"conditions": {"radius_x_m": 0.01, "reduced_modulus_pa": 226e9, "load_n_per_m": 1e5, "mean_speed_m_per_s": 0.03,
+                           "viscosity_pa_s": 0.04},
+            "lubricant": {"pressure_viscosity_per_pa": 2.2e-8, "roelands_index": 0.68},
+            "waviness": {"orientation": "transverse", "wavelength_over_a": 0.5, "amplitude_m": 2e-7},
+            "sweep": {"film_m": [15e-9, 20e-9]}, "grid": {"cells_x": 96, "edges": "truncated"},
+            "solver": {"scheme": "averaged"}}
 UNFINISHED = 85
 
 
@@ -290,6 +297,24 @@ class SweepResume(FolderTest):
         self.assertLess(done, 16)
         self.assertIn(f"{16 - done} to run", self.sweep(groups, ranks=2))
         self.check_same("whole.h5", "results.h5")
+
+    def test_stopped_and_killed_marches_of_surfaces_that_touch_go_on_bit_for_bit(self):
+        """A sweep over the boundary film, stopped and killed while a checkpoint is there."""
+        groups = {**TOUCHING, "sweep": {**TOUCHING["sweep"], "checkpoint_seconds": 0}}
+        self.sweep(groups, "--output", "whole.h5")
+        checkpoints = self.store()/"checkpoints"
+        for end in (subprocess.Popen.terminate, subprocess.Popen.kill):
+            known = {path: path.stat().st_mtime_ns for path in checkpoints.iterdir()} if checkpoints.exists() else {}
+            process = self.start()
+            self.wait_for(lambda old=known: checkpoints.exists() and any(
+                path.stat().st_mtime_ns != old.get(path) for path in checkpoints.iterdir()))
+            end(process)
+            process.communicate()
+            self.assertNotEqual(process.returncode, 0)
+            self.assertTrue(list(checkpoints.iterdir()))
+        self.sweep(groups)
+        self.check_same("whole.h5", "results.h5")
+        self.assertEqual(list(checkpoints.iterdir()), [])
 
     def test_damaged_checkpoint_is_not_used(self):
         for _ in self.stops(LONG):

@@ -11,7 +11,14 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ehlwave.inputs.effective_input import keys_of_input
-from ehlwave.results.case_file import central_film, check_field, number, positive
+from ehlwave.results.case_file import (
+    CONTACT_PRESSURE,
+    central_film,
+    check_field,
+    number,
+    positive,
+    total_pressure,
+)
 from ehlwave.results.figures import COLOURS
 from ehlwave.results.instants import at_instant
 from ehlwave.results.map_panel import bar_beside, rolling_arrow
@@ -86,7 +93,9 @@ def case_figure(case: xr.Dataset, time: float | None = None) -> Figure:
     matplotlib.figure.Figure
         In um, GPa and us where the case has dimensions. The history has the undeformed pattern
         besides: the film that rigid waves of the same Ai would leave. A line contact has no maps.
-        With heat there are rises of the temperature besides.
+        With heat there are rises of the temperature besides. Where surfaces touch, pressures
+        include the pressure of the solids, which midplanes show filled; the film map outlines the
+        touching area.
     """
     units = units_of(case)
     if time is not None:
@@ -119,7 +128,9 @@ def case_figure(case: xr.Dataset, time: float | None = None) -> Figure:
             draw_map(film_map, case["film"], units, units.film, most=most)
             rolling_arrow(film_map)
             film_map.set_title(f"film, {units.names[2]}")
-            draw_map(pressure_map, case["pressure"], units, units.pressure, "magma")
+            draw_map(pressure_map, total_pressure(case), units, units.pressure, "magma")
+            if CONTACT_PRESSURE in case:
+                _outline_touching(film_map, case, units)
             pressure_map.set_title(f"pressure, {units.names[3]}")
             _draw_midplane(crosswise, case, units, "y")
             _draw_contours(spare, case, units)
@@ -194,10 +205,26 @@ def _draw_midplane(axes: Axes, case: xr.Dataset, units: Units, along: str) -> No
     axes.set_xlim(*(scale * np.clip([line[along].min(), line[along].max()], -REACH, REACH)))
     axes.set_ylabel(units.names[2], color=COLOURS[0])
     right = axes.twinx()
-    right.plot(place, line["pressure"].values * units.pressure, color=COLOURS[1])
-    right.set_ylim(0, 1.15 * float(case["pressure"].max()) * units.pressure)
+    right.plot(place, total_pressure(line).values * units.pressure, color=COLOURS[1])
+    right.set_ylim(0, 1.15 * float(total_pressure(case).max()) * units.pressure)
+    if CONTACT_PRESSURE in line:
+        _draw_solids(right, place, line[CONTACT_PRESSURE].values * units.pressure)
     right.set_ylabel(units.names[3], color=COLOURS[1])
     axes.set_title("along rolling, $y = 0$" if along == "x" else "across, $x = 0$")
+
+
+def _outline_touching(axes: Axes, case: xr.Dataset, units: Units) -> None:
+    """Outline the areas where solids touch."""
+    touches = (case[CONTACT_PRESSURE] > 0).astype(float)
+    if touches.any() and not touches.all():
+        places = touches["x"] * units.x, touches["y"] * units.y
+        axes.contour(*places, touches, [0.5], colors="white", linewidths=0.8)
+
+
+def _draw_solids(axes: Axes, place: Floats, pressure: Floats) -> None:
+    """Fill the pressure of the solids, below the pressure of oil and solids together."""
+    axes.fill_between(place, pressure, color=COLOURS[1], alpha=0.3, linewidth=0, label="solids")
+    axes.legend(loc="upper right", frameon=False)
 
 
 def _draw_rises(axes: Axes, case: xr.Dataset, units: Units) -> None:

@@ -18,6 +18,9 @@ FIELDS = ("pressure", "film")
 NEEDED = {"x": ("x",), "y": ("y",)} | dict.fromkeys(FIELDS, ("y", "x"))
 """Fields that pictures are drawn from, with their dimensions."""
 
+CONTACT_PRESSURE = "contact_pressure"
+"""Pressure of the solids, in files of surfaces that touch."""
+
 FILM_SHOWN = 2.0
 """Thickest film in the figure, over the smooth contact's central film: the inlet is far above."""
 
@@ -79,6 +82,8 @@ def _check_fields(contact: xr.Dataset) -> None:
     """Refuse fields that nothing can be drawn from."""
     for name, dims in NEEDED.items():
         check_field(contact, name, dims)
+    if CONTACT_PRESSURE in contact:
+        check_field(contact, CONTACT_PRESSURE, ("y", "x"))
     for name in ("x", "y"):
         if (np.diff(contact[name].values) <= 0).any():
             raise ResultsError(f"{_place(contact)}: dataset {name} does not increase")
@@ -92,10 +97,17 @@ def central_film(case: xr.Dataset) -> float:
     """
     if case["x"].size < 2:
         raise ResultsError(f"{_place(case)}: has one point along x: nothing to draw")
-    for name in FIELDS:
-        if not (case[name].values > 0).any():
+    for name, field in (("pressure", total_pressure(case)), ("film", case["film"])):
+        if not (field.values > 0).any():
             raise ResultsError(f"{_place(case)}: {name} is nowhere above 0: nothing to draw")
     return positive(number(case, "central_film"), "central_film", case)
+
+
+def total_pressure(case: xr.Dataset) -> xr.DataArray:
+    """Return the pressure on a surface: of the oil, and of solids where surfaces touch."""
+    if CONTACT_PRESSURE not in case:
+        return case["pressure"]
+    return case["pressure"] + case[CONTACT_PRESSURE]
 
 
 def check_field(case: xr.Dataset, name: str, dims: tuple[str, ...]) -> None:
@@ -143,7 +155,8 @@ def whole_domain(contact: xr.Dataset) -> xr.Dataset:
 def contact_figure(contact: xr.Dataset) -> "Figure":
     """Draw pressure and film: maps over X and Y, and along the centre line.
 
-    A line contact has the latter alone. Film is over the central film of the smooth contact.
+    A line contact has the latter alone. Film is over the central film of the smooth contact. Where
+    surfaces touch, the pressure includes the pressure of the solids.
     """
     from matplotlib import rc_context
     from matplotlib.figure import Figure
@@ -158,10 +171,10 @@ def contact_figure(contact: xr.Dataset) -> "Figure":
         figure = Figure(figsize=(width, 2.8), layout=ConstrainedLayoutEngine(w_pad=0.12))
         axes = figure.subplots(1, panels, squeeze=False)[0]
         if not is_line:
-            _draw_map(axes[0], contact["pressure"], "pressure $P$", "magma")
+            _draw_map(axes[0], total_pressure(contact), "pressure $P$", "magma")
             _draw_map(axes[1], film, "film $H/H_c$", "viridis", FILM_SHOWN)
             rolling_arrow(axes[1])
-        _draw_line(axes[-1], contact["pressure"], film.clip(max=FILM_SHOWN))
+        _draw_line(axes[-1], total_pressure(contact), film.clip(max=FILM_SHOWN))
     return figure
 
 

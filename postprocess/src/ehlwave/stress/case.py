@@ -12,7 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.choices import POISSON_RATIO
 from ehlwave.errors import StressError
-from ehlwave.results.case_file import read_contact, whole_domain
+from ehlwave.results.case_file import (
+    CONTACT_PRESSURE,
+    read_contact,
+    total_pressure,
+    whole_domain,
+)
 from ehlwave.stress.field import stress_below, stress_line
 from ehlwave.stress.loads import checked_depths, checked_load
 from ehlwave.stress.waves import COMPONENTS
@@ -38,27 +43,36 @@ class SolvedContact:
     """Largest Hertz pressure."""
     slip: float
     """S of the first surface."""
+    solid_friction: float = 0.0
+    """Friction coefficient of solids that touch."""
 
     def loads(self, body: int, sets: Mapping[str, xr.DataArray]) -> dict[str, xr.DataArray]:
         """Return pressure and traction on a body, Pa, from fields of the file over x and y in m.
 
         The oil drags the faster body back: the mean shear stress, above 0 where the first surface
-        is faster, acts on it with a minus.
+        is faster, acts on it with a minus. So do solids that touch, by their friction.
         """
         if body not in (1, 2):
             raise StressError(f"body = {body}: 1 (whose slip parameter is S) or 2")
         a, b = self.scales_m
         places = {"x": self.case["x"].values * a, "y": self.case["y"].values * b}
         found = {"pressure_pa": sets["pressure"] * self.hertz_pa}
+        borne = None
         if "shear" in sets:
             borne = xr.where(sets["pressure"] > 0, sets["shear"], 0.0)
+        if "solids" in sets:
+            rubbed = np.sign(self.slip - 1) * self.solid_friction * self.hertz_pa * sets["solids"]
+            borne = rubbed if borne is None else borne + rubbed
+        if borne is not None:
             found["traction_x_pa"] = borne * (-1 if body == 1 else 1)
         return {kind: load.assign_coords(places) for kind, load in found.items()}
 
     @property
     def last(self) -> dict[str, xr.DataArray]:
         """Fields of the last solution."""
-        fields = {"pressure": self.case["pressure"]}
+        fields = {"pressure": total_pressure(self.case)}
+        if CONTACT_PRESSURE in self.case:
+            fields["solids"] = self.case[CONTACT_PRESSURE]
         if "mean_shear_stress_pa" in self.case:
             fields["shear"] = self.case["mean_shear_stress_pa"]
         return fields
@@ -88,6 +102,7 @@ def solved_contact(case: xr.Dataset | str | Path) -> SolvedContact:
         has_lengths=has_lengths,
         hertz_pa=_hertz_pressure(data),
         slip=1.0 if slip is None else slip,
+        solid_friction=_key(data, "solid_friction") or 0.0,
     )
 
 

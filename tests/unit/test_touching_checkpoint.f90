@@ -1,0 +1,148 @@
+!> A monitor that stops a march of surfaces that touch on its finest mesh.
+module touching_counter
+   use ehlwave_monitor, only: monitor_t, stop_now
+   implicit none (type, external)
+   private
+
+   !> Counts the time steps of marches of a given length.
+   type, extends(monitor_t), public :: counter_t
+      integer :: total = 0                          !! steps of the march that counts
+      integer :: stop_at = huge(1)
+      integer :: steps = 0, first = 0               !! steps that were done, number of the first
+   contains
+      procedure :: step_done => count_step
+   end type counter_t
+
+contains
+
+   subroutine count_step(self, stage, done, total)
+      class(counter_t), intent(inout) :: self
+      character(len=*), intent(in) :: stage
+      integer, intent(in) :: done, total
+      if (stage /= 'time step with touching' .or. total /= self%total) return
+      if (self%steps == 0) self%first = done
+      self%steps = self%steps + 1
+      if (done >= self%stop_at .and. done < total) self%request = stop_now
+   end subroutine count_step
+
+end module touching_counter
+
+!> A march of surfaces that touch goes on from its checkpoint with the same bits, in line and elliptical contacts.
+program test_touching_checkpoint
+   use ehlwave_case_completion, only: complete_case
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_plan, only: make_plan
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_checkpoint_file, only: checkpoint_t
+   use ehlwave_conditions, only: contact_data_t
+   use ehlwave_errors, only: error_t
+   use ehlwave_estimated_case, only: run_estimated_case
+   use ehlwave_kinds, only: dp, i8
+   use ehlwave_planned_case, only: case_plan_t
+   use ehlwave_posix, only: remove_file
+   use ehlwave_status, only: status_interrupted
+   use testing, only: test_t
+   use touching_counter, only: counter_t
+   implicit none (type, external)
+
+   character(len=*), parameter :: path = 'test_touching_checkpoint.checkpoint'
+   integer, parameter :: stop_at = 7
+   type(test_t) :: test
+   integer :: status
+
+   call check_march('ball', is_line=.false.)
+   call check_march('roller', is_line=.true.)
+   call remove_file(path, status)
+   call test%finish()
+
+contains
+
+   !> Stop a march after some steps, go on, and compare with a march without a stop.
+   subroutine check_march(name, is_line)
+      character(len=*), intent(in) :: name
+      logical, intent(in) :: is_line
+      type(case_t) :: case
+      type(case_plan_t) :: plan
+      type(case_result_t) :: whole, stopped, resumed
+      integer :: first, steps
+
+      call make_case(is_line, case, plan)
+      call remove_file(path, status)
+      call run(case, plan, huge(1), whole, first, steps)
+      call test%check_equal(steps, plan%steps, name//': steps of the whole march')
+      call test%check(whole%effects%touching%account%share > 0.01_dp, name//': the surfaces touch')
+      call remove_file(path, status)
+      call run(case, plan, stop_at, stopped, first, steps)
+      call test%check_equal(stopped%status, status_interrupted, name//': status of a stopped march')
+      call run(case, plan, huge(1), resumed, first, steps)
+      call test%check_equal(first, stop_at + 1, name//': first step after the stop')
+      call compare(name, whole, resumed)
+   end subroutine check_march
+
+   !> A wave that rolls through, on a coarse grid.
+   subroutine make_case(is_line, case, plan)
+      logical, intent(in) :: is_line
+      type(case_t), intent(out) :: case
+      type(case_plan_t), intent(out) :: plan
+      type(error_t), allocatable :: error
+
+      case%is_dimensional = .true.
+      case%data = contact_data_t(radius_x_m=0.01_dp, radius_y_m=0.01_dp, reduced_modulus_pa=2.26e11_dp, load_n=20.72_dp, &
+                                 mean_speed_m_per_s=0.05_dp, viscosity_pa_s=0.04_dp, pressure_viscosity_per_pa=2.2e-8_dp)
+      if (is_line) case%data = contact_data_t(radius_x_m=0.01_dp, reduced_modulus_pa=2.26e11_dp, &
+         load_n_per_m=1e5_dp, mean_speed_m_per_s=0.03_dp, viscosity_pa_s=0.04_dp, pressure_viscosity_per_pa=2.2e-8_dp)
+      case%effects%touching%data%film_m = 20e-9_dp
+      case%orientation = 'transverse'
+      case%wavelength_over_a = merge(0.5_dp, 1.0_dp, is_line)
+      case%amplitude_m = 2e-7_dp
+      case%scheme = 'averaged'
+      case%cells_x = merge(96, 32, is_line)
+      if (.not. is_line) case%cells_y = 32
+      call complete_case(case, '', error)
+      if (.not. allocated(error)) call make_plan(case, plan, error)
+      call test%check_no_error(error, 'case')
+   end subroutine make_case
+
+   subroutine run(case, plan, last, result, first, steps)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      integer, intent(in) :: last                     !! step at which the march is to stop
+      type(case_result_t), intent(out) :: result
+      integer, intent(out) :: first, steps
+      type(checkpoint_t) :: checkpoint
+      type(counter_t) :: monitor
+
+      checkpoint%path = path
+      checkpoint%identity = '0123456789ABCDEF'
+      monitor%total = plan%steps
+      monitor%stop_at = last
+      call run_estimated_case(case, plan, monitor, result, keeper=checkpoint)
+      first = monitor%first
+      steps = monitor%steps
+   end subroutine run
+
+   !> All numbers of two results, bit for bit.
+   subroutine compare(name, a, b)
+      character(len=*), intent(in) :: name
+      type(case_result_t), intent(in) :: a, b
+
+      call test%check_equal(a%status, b%status, name//': status')
+      call test%check_equal(a%linear_steps, b%linear_steps, name//': linear steps')
+      call same(a%film_history, b%film_history, name//': films')
+      call same([a%residual, a%load_error, a%work, a%mean_film], [b%residual, b%load_error, b%work, b%mean_film], &
+                name//': account')
+      associate (c => a%effects%touching%account, d => b%effects%touching%account)
+         call same(c%share_history, d%share_history, name//': shares')
+         call same([c%share, c%area, c%friction_oil, c%max_contact_pressure, c%share_error], &
+                   [d%share, d%area, d%friction_oil, d%max_contact_pressure, d%share_error], name//': means')
+      end associate
+   end subroutine compare
+
+   subroutine same(a, b, name)
+      real(dp), intent(in) :: a(:), b(:)
+      character(len=*), intent(in) :: name
+      call test%check(size(a) == size(b), name//', number of values')
+      if (size(a) == size(b)) call test%check(all(transfer(a, [0_i8]) == transfer(b, [0_i8])), name//' keep their bits')
+   end subroutine same
+
+end program test_touching_checkpoint
