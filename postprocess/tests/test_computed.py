@@ -240,13 +240,14 @@ def test_warm_contacts_have_marches_that_carry_temperatures() -> None:
 
 
 def test_waves_of_a_hot_newtonian_contact_need_no_march() -> None:
-    """Rollers of 1.4 GPa under much slip, whose friction the grid does not resolve."""
+    """Rollers of 1.4 GPa under much slip, whose friction the grid resolves to 88 % only."""
     contact = ehlwave.Contact(
         **STEEL | {"radius_x_m": 0.01, "load_n_per_m": 5.5e5, "mean_speed_m_per_s": 3},
         slide_to_roll_ratio=1.0,
         heat=HEAT,
     )
-    assert contact.film(by="computed").friction is None
+    film = contact.film(by="computed")
+    assert film.friction is None or film.friction_error > 0.5
     found = contact.response(0.7)
     assert "law of warm waves" in found.source
     assert 0.2 < abs(found.film) < 1.1
