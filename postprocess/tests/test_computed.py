@@ -15,9 +15,11 @@ from ehlwave.cli import main
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import read_given
 from ehlwave.errors import ProgramError, RangeError
+from ehlwave.laws import computed_rows, computed_transfer
 from ehlwave.laws.computed_film import computed_film
+from ehlwave.laws.computed_rows import ComputedRows
 from ehlwave.laws.computed_transfer import ComputedTransfer
-from ehlwave.laws.computed_waves import Responses, changed, no_base, refined
+from ehlwave.laws.computed_waves import Responses, changed, film_of, no_base, refined
 from ehlwave.programs import cache
 from ehlwave.programs.case_input import GROUPS, case_keys, case_text
 from ehlwave.programs.computing import is_usable, run_case, run_waves
@@ -218,13 +220,23 @@ def test_changes_of_marches_are_added_and_continued() -> None:
     assert error[0] == pytest.approx(0.01 + film[0].imag)
 
 
-def test_warm_contacts_have_marches_that_carry_temperatures() -> None:
+def test_warm_contacts_have_marches_that_carry_temperatures(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Few waves about the response, and coarse marches; linear responses alone are wrong."""
     contact = ehlwave.Contact(**ROLLERS, heat=HEAT)
     film, law = computed_film(contact.conditions, HEAT), contact.film()
     assert film.central_m is not None
     assert law.central_m is not None
     assert film.central_m == pytest.approx(law.central_m, rel=law.central_error)
     assert film.friction == pytest.approx(law.friction, rel=law.friction_error)
+    for name in ("WAVE_RANGE", "CHANGED_LINE"):
+        monkeypatch.setattr(computed_transfer, name, (0.5, 1.0))
+    for name in ("FIRST", "FIRST_CHANGES"):
+        monkeypatch.setattr(computed_transfer, name, 3)
+    for name in ("MOST", "MOST_CHANGES"):
+        monkeypatch.setattr(computed_transfer, name, 5)
+    monkeypatch.setattr(computed_rows, "LINE_CELLS", {"cells_x": 96})
     found = ComputedTransfer(contact.conditions, HEAT).response(0.7, 0.0)
     keys = {key: v for key, v in case_keys(contact.conditions, HEAT).items() if v is not None}
     march = ehlwave.Case(
@@ -233,21 +245,25 @@ def test_warm_contacts_have_marches_that_carry_temperatures() -> None:
         wavelength_over_a=0.7,
         amplitude_over_film=0.02,
         wave_temperatures="carried",
-        cells_x=384,
+        cells_x=256,
     ).run()
     size, phase = float(march["amplitude_ratio_fit"]), float(march["phase_fit"])
-    assert abs(found.film - size * np.exp(1j * phase)) < found.error + 0.01
+    true = size * np.exp(1j * phase)
+    assert abs(found.film - true) < found.error < 0.05
+    rows = ComputedRows(contact.conditions, HEAT, None).linear(np.array([0.7]), 0.0)
+    assert abs(film_of(rows[0]) - true) > 2 * found.error
 
 
 def test_waves_of_a_hot_newtonian_contact_need_no_march() -> None:
-    """Rollers of 1.4 GPa under much slip, whose friction the grid resolves to 88 % only."""
+    """Rollers of 1.4 GPa under much slip, whose friction the grid hardly resolves."""
     contact = ehlwave.Contact(
         **STEEL | {"radius_x_m": 0.01, "load_n_per_m": 5.5e5, "mean_speed_m_per_s": 3},
         slide_to_roll_ratio=1.0,
         heat=HEAT,
     )
-    film = contact.film(by="computed")
-    assert film.friction is None or film.friction_error > 0.5
+    error = contact.film(by="computed").friction_error
+    assert error is not None
+    assert error > 0.5
     found = contact.response(0.7)
     assert "law of warm waves" in found.source
     assert 0.2 < abs(found.film) < 1.1
