@@ -10,9 +10,10 @@ import time
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
+import xarray as xr
 
+from ehlwave.writing import Writer, write_new_text
 from studies import programs
 
 Groups = dict[str, dict[str, Any]]
@@ -83,8 +84,8 @@ def _write_map(
     heights *= rq / heights.std() * _ramp(x, width)
     if not is_line:
         heights *= _ramp(y, width / 4)[:, None]
-    with h5py.File(path, "w") as file:
-        file["height"], file["x"], file["y"] = heights, x, y
+    data = xr.Dataset({"height": (("y", "x"), heights)}, coords={"x": x, "y": y})
+    Writer().dataset(path, data)
 
 
 def draw(number: int, folder: Path) -> tuple[str, Groups]:
@@ -125,7 +126,7 @@ def run_one(number: int, *, is_finer: bool = False) -> dict[str, Any]:
         if is_finer:
             doubled = {key: 2 * value for key, value in groups["grid"].items() if "cells" in key}
             groups["grid"] = groups["grid"] | doubled
-        Path(name, "case.nml").write_text(programs.namelist(groups), encoding="utf-8")
+        write_new_text(Path(name, "case.nml"), programs.namelist(groups))
         start = time.monotonic()
         outcome = programs.run("case", "case.nml", "--json", "--quiet", folder=name)
         lines = outcome.stdout.strip().splitlines()
@@ -188,8 +189,8 @@ def main() -> int:
         if (number, is_finer) in known:
             continue
         entries.append(run_one(number, is_finer=is_finer))
-        with options.record.open("a", encoding="utf-8") as file:
-            file.write(json.dumps(entries[-1]) + "\n")
+        lines = [json.dumps(entry) + "\n" for entry in entries]
+        Writer(overwrite=True).text(options.record, "".join(lines))
     sys.stdout.write(summary(entries) + "\n")
     ended = [entry["touching_share"] is not None for entry in entries if not entry["finer"]]
     return int(sum(ended) < _REACHED * len(ended))

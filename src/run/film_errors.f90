@@ -21,7 +21,7 @@ module ehlwave_film_errors
    !> which the film moves. Friction also includes the oil outside, out to `fewest_domains` at least.
    real(dp), parameter :: smallest_domain_share = 1.5_dp, friction_domain_share = 3.5_dp, fewest_domains = 2
    real(dp), parameter :: no_friction = 1e-8_dp      !! friction of pure rolling, by round-off
-   real(dp), parameter :: largest_error = 10         !! error of a friction from which on none is given
+   real(dp), parameter :: largest_error = 3          !! error of a friction from which on none is given
 
 contains
 

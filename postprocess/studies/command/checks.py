@@ -4,6 +4,7 @@ import argparse
 import os
 import sys
 
+from ehlwave.writing import Writer
 from studies.command import steps
 from studies.command.options import at_once, flag, given, option, study
 
@@ -119,7 +120,7 @@ def touching(options: argparse.Namespace) -> int:
     Exit status: 0 at least 95 % reach the end; 1 otherwise; 2 bad usage.
     """
     folder = options.output or steps.ROOT / "build" / "touching"
-    folder.mkdir(parents=True, exist_ok=True)
+    Writer().folder(folder)
     steps.prepare(options.program)
     words = given(options, "count", "finer")
     return steps.report("touching", *words, "--record", folder / "marches.jsonl")
