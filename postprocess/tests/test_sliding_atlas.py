@@ -171,3 +171,13 @@ def test_films_of_oils_that_slip_thins_have_errors_to_match() -> None:
     newtonian = ehlwave.Contact(**moes, slip_parameter=1.3)
     own = rolling.film().central_error - rolling.conditions.film_loss
     assert newtonian.film().central_error == pytest.approx(own)
+
+
+def test_inlets_that_thin_beyond_the_contacts_of_the_atlas_are_refused() -> None:
+    """148 Eyring stresses in the inlet: by the networks 1.90, computed 0.94."""
+    keys = {"load_parameter_m": 286.72, "lubricant_parameter_l": 19.899, "radius_ratio_d": 0.336}
+    oil = {"pressure_viscosity_per_pa": 1.0243e-8, "roelands_index": 0.58349}
+    stress = {"reduced_modulus_pa": 2.26e11, "eyring_stress_pa": 9.0616e5}
+    contact = ehlwave.Contact(**keys, **oil, **stress, slip_parameter=0.50108)
+    with pytest.raises(ehlwave.RangeError, match="Eyring stresses"):
+        contact.film(by="laws")

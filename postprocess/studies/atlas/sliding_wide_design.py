@@ -10,8 +10,8 @@ from ehlwave.contact.conditions import MOES_KEYS
 from ehlwave.laws.atlas import Atlas
 from ehlwave.laws.atlas.coordinates import hertz_film
 from ehlwave.laws.atlas.kinds import SLIDING, SLIDING_WIDE
-from ehlwave.laws.atlas.sliding import conditions_of
-from ehlwave.laws.atlas.sliding_wide import beyond_sliding, film_under_slip, thinning_of
+from ehlwave.laws.atlas.sliding import conditions_of, thinning_of
+from ehlwave.laws.atlas.sliding_wide import beyond_sliding, film_under_slip
 from studies import sweeps
 from studies.atlas.batches import rows
 from studies.atlas.design import (

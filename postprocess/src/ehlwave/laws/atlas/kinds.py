@@ -17,7 +17,12 @@ from ehlwave.laws.atlas.line_sliding import (
 from ehlwave.laws.atlas.line_sliding_shape import LineSlidingShape
 from ehlwave.laws.atlas.ranges import SLIDING_RANGES
 from ehlwave.laws.atlas.rolling import ROLLING, WIDE
-from ehlwave.laws.atlas.sliding import sliding_coordinates, sliding_references, sliding_state
+from ehlwave.laws.atlas.sliding import (
+    beyond_thinning,
+    sliding_coordinates,
+    sliding_references,
+    sliding_state,
+)
 from ehlwave.laws.atlas.sliding_shape import SlidingShape
 from ehlwave.laws.atlas.sliding_wide import SLIDING_WIDE
 
@@ -29,6 +34,7 @@ SLIDING = Kind(
     (*FILMS, "friction_ratio", "pressure_ratio"),
     sliding_references,
     sliding_state,
+    beyond_thinning,
 )
 LINE_SLIDING = Kind(
     "line_sliding",

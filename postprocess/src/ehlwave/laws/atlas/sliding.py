@@ -13,7 +13,7 @@ from ehlwave.contact.oils import log_viscosity
 from ehlwave.contact.scales import moes_per_film
 from ehlwave.laws.atlas.coordinates import Floats, columns, contact_coordinates
 from ehlwave.laws.atlas.kind import Kind
-from ehlwave.laws.atlas.ranges import SLIDING_RANGES
+from ehlwave.laws.atlas.ranges import MOST_THINNING, SLIDING_RANGES
 from ehlwave.laws.atlas.rolling import ROLLING, rolling_chart
 
 STRESS_POINTS = 24
@@ -97,3 +97,19 @@ def sliding_state(
     scales = np.array([moes_per_film(one.m, one.kappa) for one in conditions_of(keys)])
     film = references[:, 0] * np.exp(numbers["film_ratio"]) / scales
     return {**keys, "central_film": film, "pressure_ratio": numbers["pressure_ratio"]}
+
+
+def thinning_of(contact: Conditions) -> float:
+    """Return the Newtonian shear stress in the inlet over the Eyring stress, of its slip."""
+    return INLET_VISCOSITY * contact.medium(contact.slip_parameter).thinning
+
+
+def beyond_thinning(keys: Mapping[str, float]) -> str:
+    """Return the excess of the stress in the inlet over the stresses of the atlas; '' if none."""
+    stress = thinning_of(conditions_of(keys)[0])
+    if stress <= MOST_THINNING * (1 + 1e-9):
+        return ""
+    return (
+        f"a Newtonian shear stress in the inlet of {stress:.3g} Eyring stresses (of at most "
+        f"{MOST_THINNING:g}: oils that thin more have inlets too steep)"
+    )

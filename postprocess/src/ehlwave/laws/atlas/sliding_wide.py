@@ -6,17 +6,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.contact.conditions import MOES_KEYS, Conditions
-from ehlwave.contact.medium import INLET_VISCOSITY
 from ehlwave.laws.atlas.chart import Chart
 from ehlwave.laws.atlas.coordinates import Floats, beyond_limits, hertz_film
 from ehlwave.laws.atlas.kind import FILMS, Kind
-from ehlwave.laws.atlas.ranges import MOST_THINNING, SLIDING_WIDE_RANGES, THINNEST_SLIDING_FILM
+from ehlwave.laws.atlas.ranges import SLIDING_WIDE_RANGES, THINNEST_SLIDING_FILM
 from ehlwave.laws.atlas.rolling import WIDE, rolling_chart
 from ehlwave.laws.atlas.sliding import (
+    beyond_thinning,
     conditions_of,
     sliding_coordinates,
     sliding_references,
     sliding_state,
+    thinning_of,
 )
 from ehlwave.laws.atlas.sliding_shape import SlidingShape
 
@@ -58,11 +59,6 @@ class WideSlidingShape(SlidingShape):
         return np.hypot(self._slip, SLOWEST_LAUNCH) / np.hypot(1, SLOWEST_LAUNCH)
 
 
-def thinning_of(contact: Conditions) -> float:
-    """Return the Newtonian shear stress in the inlet over the Eyring stress, of its slip."""
-    return INLET_VISCOSITY * contact.medium(contact.slip_parameter).thinning
-
-
 def wide_sliding_references(keys: Mapping[str, ArrayLike]) -> Floats:
     """Return references as in the usual atlas, for films of :data:`WIDE`."""
     return sliding_references(keys, WIDE)
@@ -76,15 +72,10 @@ def film_under_slip(keys: Mapping[str, float]) -> float:
 
 def beyond_sliding(keys: Mapping[str, float]) -> str:
     """Return the excess of a contact over the atlas; '' if none."""
-    beyond = beyond_limits(keys)
+    beyond = beyond_limits(keys) or beyond_thinning(keys)
     if beyond:
         return beyond
-    stress, film = thinning_of(conditions_of(keys)[0]), film_under_slip(keys)
-    if stress > MOST_THINNING * (1 + 1e-9):
-        return (
-            f"a Newtonian shear stress in the inlet of {stress:.3g} Eyring stresses (of at most "
-            f"{MOST_THINNING:g}: oils that thin more have inlets too steep)"
-        )
+    film = film_under_slip(keys)
     if film < THINNEST_SLIDING_FILM * (1 - 1e-9):
         return (
             f"a film under slip of about {film:.3g} times the Hertz approach (of at least "
