@@ -20,6 +20,16 @@
 
 enum { OUT_OF_MEMORY = 4 };   /* exit status */
 
+enum { STACK_BYTES = 524288 };   /* the deepest calls of a case and the message of its end take less */
+
+/* Have the stack before the program begins: where a limit on addresses is reached, a stack that has to grow ends the program by
+   SIGSEGV, the message below included. */
+__attribute__((constructor, noinline)) static void have_stack(void)
+{
+   volatile char stack[STACK_BYTES];
+   for (size_t i = sizeof stack; i > 0; i -= 4096) stack[i - 1] = 0;
+}
+
 /* End the program with one line for want of memory. */
 __attribute__((noreturn)) void ehlwave_out_of_memory(size_t bytes)
 {
