@@ -8,7 +8,7 @@ module ehlwave_sensitivity_case
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t, gradient_t, of_central_film, of_phase, of_ratio
    use ehlwave_case_variables, only: case_variables
-   use ehlwave_contact_gradient, only: held_state
+   use ehlwave_contact_gradient, only: stand_in_state
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_contact_variant, only: contact_variable_t
    use ehlwave_harmonic_response, only: harmonic_response_t
@@ -116,8 +116,7 @@ contains
 
       gradient%of(:smooth_results) = [(steady%change(k, n), k=1, smooth_results)]
       do k = 1, size(variable%variants)
-         call variable%stand_in(k, level%problem, problem)
-         call held_state(problem, variable, level%given, level%state, state)
+         call stand_in_state(variable, k, level%problem, level%given, level%state, problem, state)
          call take_results(problem, state, level%state, values)
          gradient%of(:smooth_results) = gradient%of(:smooth_results) + variable%variants(k)%weight*values
          call variable%give_back(level%problem, problem)

@@ -1,6 +1,6 @@
 !> Derivatives of the results of a steady state by variables: residual slopes, and one transposed solve a result.
 module ehlwave_steady_gradient
-   use ehlwave_contact_gradient, only: held_state, residual_slope
+   use ehlwave_contact_gradient, only: residual_slope, stand_in_state
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_contact_variant, only: contact_variable_t, variable_length
    use ehlwave_hierarchy, only: level_t, work_of
@@ -138,8 +138,7 @@ contains
             if (adjoint%status /= status_converged .or. .not. allocated(variables(n)%variants)) cycle
             by_state = dot_product(adjoint%vector, self%slopes(:, n))
             do k = 1, size(variables(n)%variants)
-               call variables(n)%stand_in(k, level%problem, problem)
-               call held_state(problem, variables(n), level%given, level%state, state)
+               call stand_in_state(variables(n), k, level%problem, level%given, level%state, problem, state)
                oil = problem%grid%value_at_centre(problem%rheology%density(state%p)*state%h)
                self%oil(k, n) = oil + variables(n)%variants(k)%place*by_state
                call variables(n)%give_back(level%problem, problem)

@@ -19,7 +19,7 @@ module ehlwave_contact_gradient
    use ehlwave_steady_tangent, only: steady_tangent_t
    implicit none (type, external)
    private
-   public :: held_state, residual_slope
+   public :: residual_slope, stand_in_state, variant_equations
 
 contains
 
@@ -32,8 +32,6 @@ contains
       real(dp), intent(out), contiguous, target :: b(:)    !! (tangent%linear%n)
       type(contact_problem_t) :: problem
       type(equations_t) :: equations
-      type(given_t) :: given
-      type(state_t) :: state
       real(dp), pointer, contiguous :: r(:, :)
       real(dp), allocatable :: edge(:)
       integer :: k
@@ -42,14 +40,9 @@ contains
          b = 0
          allocate (edge(finest%equations%edges%count()), source=0.0_dp)
          r(0:level%problem%grid%nx, 0:level%problem%grid%ny) => b(:linear%n - 1)
-         given = tangent%given
          do k = 1, size(variable%variants)
             associate (variant => variable%variants(k))
-               call variable%stand_in(k, level%problem, problem)
-               call held_state(problem, variable, given, tangent%state, state)
-               if (allocated(given%supply)) given%supply(:) = variant%inlet%supply_on(problem%grid, flooded_oil(k))
-               call equations%init(problem)
-               call equations%evaluate(problem, given, state)
+               call variant_equations(tangent, level, variable, k, flooded_oil(k), problem, equations)
                r = r - variant%weight*equations%residual
                edge = edge - variant%weight*equations%edge_excess
                b(linear%n) = b(linear%n) - variant%weight*equations%edges%load
@@ -63,15 +56,38 @@ contains
       end associate
    end subroutine residual_slope
 
-   !> The state with P and Delta held, in the problem of a variant.
-   subroutine held_state(problem, variable, given, base, state)
-      type(contact_problem_t), intent(inout) :: problem    !! problem of the variant
+   !> The equations of a variant, with P and Delta of the steady state held. `problem` borrows parts of the level until
+   !> `variable%give_back`.
+   subroutine variant_equations(tangent, level, variable, k, flooded_oil, problem, equations)
+      type(steady_tangent_t), intent(in) :: tangent
+      type(level_t), intent(inout) :: level                !! the finest of the tangent
       type(contact_variable_t), intent(in) :: variable
+      integer, intent(in) :: k                             !! the variant
+      real(dp), intent(in) :: flooded_oil                  !! rho H of its flooded contact's centre
+      type(contact_problem_t), intent(inout) :: problem
+      type(equations_t), intent(inout) :: equations
+      type(given_t) :: given
+      type(state_t) :: state
+
+      given = tangent%given
+      call stand_in_state(variable, k, level%problem, given, tangent%state, problem, state)
+      if (allocated(given%supply)) given%supply(:) = variable%variants(k)%inlet%supply_on(problem%grid, flooded_oil)
+      call equations%init(problem)
+      call equations%evaluate(problem, given, state)
+   end subroutine variant_equations
+
+   !> The problem of a variant, as `stand_in`, and the state with P and Delta held in it.
+   subroutine stand_in_state(variable, k, own, given, base, problem, state)
+      type(contact_variable_t), intent(in) :: variable
+      integer, intent(in) :: k                             !! the variant
+      type(contact_problem_t), intent(inout) :: own        !! of the finest level
       type(given_t), intent(in) :: given
       type(state_t), intent(in) :: base
+      type(contact_problem_t), intent(inout) :: problem
       type(state_t), intent(inout) :: state
+      call variable%stand_in(k, own, problem)
       state = base
       if (variable%changes_kernel) call problem%film(given, state%p, state%delta, state%h)
-   end subroutine held_state
+   end subroutine stand_in_state
 
 end module ehlwave_contact_gradient

@@ -8,12 +8,11 @@
 !> d/du (mu L u1) is the derivative of L^T mu along u1, a difference quotient for the real and the imaginary part of u1.
 module ehlwave_response_gradient
    use ehlwave_complex_wedge, only: wedge_t
-   use ehlwave_contact_gradient, only: held_state
+   use ehlwave_contact_gradient, only: variant_equations
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_contact_variant, only: contact_variable_t
    use ehlwave_equations, only: equations_t
    use ehlwave_grid, only: grid_t
-   use ehlwave_given, only: given_t
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_harmonic_solver, only: harmonic_solver_t
    use ehlwave_hierarchy, only: level_t
@@ -150,25 +149,18 @@ contains
       complex(dp), pointer, contiguous :: r(:, :)
       type(contact_problem_t) :: problem
       type(equations_t) :: equations
-      type(given_t) :: given
-      type(state_t) :: state
       integer :: i, k
 
       associate (finest => harmonic%linear%levels(harmonic%linear%finest), n => harmonic%linear%n, &
-                 tangent => harmonic%tangent, grid => level%problem%grid)
+                 grid => level%problem%grid)
          allocate (b(n), source=(0.0_dp, 0.0_dp))
          allocate (dh, dr, film, pattern, mold=response%h)
          allocate (edge(finest%equations%edges%count()), source=(0.0_dp, 0.0_dp))
          r(0:ubound(dr, 1), 0:ubound(dr, 2)) => b(:n - 1)
          dh = 0
-         given = tangent%given
          do k = 1, size(variable%variants)
             associate (variant => variable%variants(k), w => variable%variants(k)%weight)
-               call variable%stand_in(k, level%problem, problem)
-               call held_state(problem, variable, given, tangent%state, state)
-               if (allocated(given%supply)) given%supply(:) = variant%inlet%supply_on(grid, flooded_oil(k))
-               call equations%init(problem)
-               call equations%evaluate(problem, given, state)
+               call variant_equations(harmonic%tangent, level, variable, k, flooded_oil(k), problem, equations)
                pattern = variant%waves%amplitude_at(grid%x, grid%y)
                call film_of(problem, response, film)
                film = film + pattern
