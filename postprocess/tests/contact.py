@@ -24,6 +24,19 @@ BALL = {
 
 LOADED_BALL = BALL | {"load_n": 120}
 
+SLIDING_ELLIPSE = {
+    "radius_x_m": 0.0127,
+    "radius_y_m": 0.0254,
+    "reduced_modulus_pa": 2.26e11,
+    "load_n": 40,
+    "mean_speed_m_per_s": 1.5,
+    "viscosity_pa_s": 0.05,
+    "pressure_viscosity_per_pa": 2e-8,
+    "eyring_stress_pa": 5e6,
+    "slide_to_roll_ratio": 0.1,
+}
+"""An elliptical contact under slip in a Ree-Eyring oil."""
+
 
 def experiment(**changes: float) -> Conditions:
     """Return its conditions, some keys changed."""

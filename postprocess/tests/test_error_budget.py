@@ -5,23 +5,13 @@ import math
 import numpy as np
 import pandas as pd
 import pytest
+from contact import SLIDING_ELLIPSE
 
 import ehlwave
 from ehlwave.errors import SurfaceError
 from ehlwave.surface import trace_surface
 from studies import budget
 
-DATA = {
-    "radius_x_m": 0.0127,
-    "radius_y_m": 0.0254,
-    "reduced_modulus_pa": 2.26e11,
-    "load_n": 40,
-    "mean_speed_m_per_s": 1.5,
-    "viscosity_pa_s": 0.05,
-    "pressure_viscosity_per_pa": 2e-8,
-    "eyring_stress_pa": 5e6,
-    "slide_to_roll_ratio": 0.1,
-}
 ERRORS = {
     "viscosity_error": 0.04,
     "pressure_viscosity_error": 0.1,
@@ -41,14 +31,14 @@ KEYS = {
 def test_budget_is_the_spread_of_random_draws() -> None:
     """300 draws: their standard deviation is known within 4 %, so within 12 % of the budget."""
     rng = np.random.default_rng(7)
-    table = ehlwave.Contact(**DATA, **ERRORS).error_budget(by="laws")
+    table = ehlwave.Contact(**SLIDING_ELLIPSE, **ERRORS).error_budget(by="laws")
     found = []
     for _ in range(300):
         changes = {
-            KEYS[name]: DATA[KEYS[name]] * math.exp(error * rng.standard_normal())
+            KEYS[name]: SLIDING_ELLIPSE[KEYS[name]] * math.exp(error * rng.standard_normal())
             for name, error in ERRORS.items()
         }
-        film = ehlwave.Contact(**{**DATA, **changes})._film("laws")
+        film = ehlwave.Contact(**{**SLIDING_ELLIPSE, **changes})._film("laws")
         found.append((math.log(film.central_m), math.log(film.friction)))
     spread = np.std(found, axis=0)
     assert table.central_film["total"] == pytest.approx(spread[0], rel=0.12)
@@ -62,7 +52,9 @@ def test_lambda_ratio() -> None:
     x = np.arange(0, 2e-3, 2e-6)
     trace = trace_surface(50e-9 * np.cos(2 * np.pi * x / 1e-4), step_m=2e-6, axis="x", name="w")
     rolling = {
-        k: v for k, v in DATA.items() if k not in ("eyring_stress_pa", "slide_to_roll_ratio")
+        k: v
+        for k, v in SLIDING_ELLIPSE.items()
+        if k not in ("eyring_stress_pa", "slide_to_roll_ratio")
     }
     errors = {"load_error": 0.1, "viscosity_error": 0.1}
     contact = ehlwave.Contact(**rolling, **errors)
@@ -87,7 +79,10 @@ def test_budget_of_a_data_sheet() -> None:
 
 
 def test_film_carries_errors_of_all_data() -> None:
-    sure, unsure = ehlwave.Contact(**DATA), ehlwave.Contact(**DATA, load_error=0.2, speed_error=0.1)
+    sure, unsure = (
+        ehlwave.Contact(**SLIDING_ELLIPSE),
+        ehlwave.Contact(**SLIDING_ELLIPSE, load_error=0.2, speed_error=0.1),
+    )
     more = unsure.film("laws").central_error - sure.film("laws").central_error
     powers = sure.sensitivities("laws").central_film
     expected = 0.2 * abs(powers["load_n"]) + 0.1 * powers["mean_speed_m_per_s"]
@@ -97,7 +92,8 @@ def test_film_carries_errors_of_all_data() -> None:
 def test_refusals() -> None:
     with pytest.raises(SurfaceError, match="eyring_stress_error"):
         ehlwave.Contact(
-            **{k: v for k, v in DATA.items() if k != "eyring_stress_pa"}, eyring_stress_error=0.1
+            **{k: v for k, v in SLIDING_ELLIPSE.items() if k != "eyring_stress_pa"},
+            eyring_stress_error=0.1,
         )
     with pytest.raises(SurfaceError, match="viscosity_error"):
-        ehlwave.Contact(**DATA).error_budget()
+        ehlwave.Contact(**SLIDING_ELLIPSE).error_budget()

@@ -4,22 +4,11 @@ import math
 from collections.abc import Callable
 
 import pytest
+from contact import SLIDING_ELLIPSE
 
 import ehlwave
 from ehlwave.errors import RangeError
 from ehlwave.laws.slopes import FINE, Answer, slopes_of
-
-BALL = {
-    "radius_x_m": 0.0127,
-    "radius_y_m": 0.0254,
-    "reduced_modulus_pa": 2.26e11,
-    "load_n": 40,
-    "mean_speed_m_per_s": 1.5,
-    "viscosity_pa_s": 0.05,
-    "pressure_viscosity_per_pa": 2e-8,
-    "eyring_stress_pa": 5e6,
-    "slide_to_roll_ratio": 0.1,
-}
 
 
 @pytest.mark.parametrize("speed", [0.5, 1.5, 4.0])
@@ -27,7 +16,7 @@ BALL = {
 def test_films_scale_with_the_contact(speed: float, slides: bool) -> None:
     """Lengths scaled together scale the film: their exponents add up to 1 within 1e-6."""
     rolling = ("eyring_stress_pa", "slide_to_roll_ratio")
-    given = {key: value for key, value in BALL.items() if slides or key not in rolling}
+    given = {key: value for key, value in SLIDING_ELLIPSE.items() if slides or key not in rolling}
     powers = ehlwave.Contact(**{**given, "mean_speed_m_per_s": speed}).sensitivities("laws")
     lengths = {"radius_x_m": 1, "radius_y_m": 1, "load_n": 2, "mean_speed_m_per_s": 1}
     for result, expected in (("central_film", 1.0), ("friction", 0.0)):
@@ -39,7 +28,7 @@ def test_films_scale_with_the_contact(speed: float, slides: bool) -> None:
 
 def test_speed_and_viscosity_are_one() -> None:
     """Films depend on the product of speed and viscosity alone."""
-    film = ehlwave.Contact(**BALL).sensitivities("laws").central_film
+    film = ehlwave.Contact(**SLIDING_ELLIPSE).sensitivities("laws").central_film
     assert film["mean_speed_m_per_s"] == pytest.approx(film["viscosity_pa_s"], abs=1e-8)
 
 

@@ -11,6 +11,7 @@ module sample_contact
    use ehlwave_kinds, only: dp
    use ehlwave_oil, only: oil_t
    use ehlwave_rheology, only: new_rheology, rheology_t
+   use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_state, only: state_t
    use ehlwave_transport, only: characteristic_transport
@@ -18,7 +19,7 @@ module sample_contact
    implicit none (type, external)
    private
    public :: make_contact, make_level, make_conditions, make_rheology, rheology_of, make_multigrid, &
-      start_time_step, bump_pressure, noise
+      solve_sample, start_time_step, bump_pressure, noise
 
 contains
 
@@ -54,6 +55,14 @@ contains
       call oil%make_density(density)
       rheology = new_rheology(viscosity, density, hertz_pressure_pa)
    end function rheology_of
+
+   !> The steady contact M = 100, D = 0.35 on 48 x 48 cells.
+   subroutine solve_sample(multigrid, is_half)
+      type(full_multigrid_t), intent(inout) :: multigrid
+      logical, intent(in) :: is_half
+      call make_multigrid(multigrid, 100.0_dp, 0.35_dp, 48, is_half)
+      call multigrid%solve(solve_limits_t(tolerance=1e-9_dp), 1e-3_dp)
+   end subroutine solve_sample
 
    !> Data of the step that follows a state at rest, with a wave in the gap.
    subroutine start_time_step(problem, state, given)

@@ -1,32 +1,3 @@
-!> A monitor that stops a march.
-module step_counter
-   use ehlwave_monitor, only: give_up, monitor_t, stop_now
-   implicit none (type, external)
-   private
-
-   !> Counts time steps and stops the case at a given step, or ends it after some.
-   type, extends(monitor_t), public :: counter_t
-      integer :: steps = 0, stop_at = huge(1), end_after = huge(1)
-      integer :: first = 0                          !! number of the first step that was done
-   contains
-      procedure :: step_done => count_step
-   end type counter_t
-
-contains
-
-   subroutine count_step(self, stage, done, total)
-      class(counter_t), intent(inout) :: self
-      character(len=*), intent(in) :: stage
-      integer, intent(in) :: done, total
-      if (stage /= 'time step') return
-      if (self%steps == 0) self%first = done
-      self%steps = self%steps + 1
-      if (self%steps >= self%end_after) self%request = give_up
-      if (done >= self%stop_at .and. done < total) self%request = stop_now
-   end subroutine count_step
-
-end module step_counter
-
 !> A march that is stopped goes on from its checkpoint with the same bits; a torn or foreign checkpoint is not used.
 program test_checkpoint_file
    use ehlwave_case_completion, only: complete_case

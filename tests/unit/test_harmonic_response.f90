@@ -10,11 +10,10 @@ program test_harmonic_response
    use ehlwave_harmonic_solver, only: harmonic_solver_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: equation_of_motion, harmonic_inertia, load_balance_t
-   use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_state, only: new_state, state_t
    use ehlwave_transport, only: characteristic_transport, harmonic_wedge, transport_t
    use ehlwave_waviness, only: new_waviness
-   use sample_contact, only: make_multigrid, noise
+   use sample_contact, only: noise, solve_sample
    use testing, only: test_t
    implicit none (type, external)
 
@@ -31,13 +30,6 @@ program test_harmonic_response
 
 contains
 
-   subroutine steady(multigrid, is_half)
-      type(full_multigrid_t), intent(inout) :: multigrid
-      logical, intent(in) :: is_half
-      call make_multigrid(multigrid, 100.0_dp, 0.35_dp, 48, is_half)
-      call multigrid%solve(solve_limits_t(tolerance=1e-9_dp), 1e-3_dp)
-   end subroutine steady
-
    !> On the grid of the time step the weights equal the characteristic weights; coarser grids agree for a smooth f.
    subroutine transport_on_grids(test)
       type(test_t), intent(inout) :: test
@@ -46,7 +38,7 @@ contains
       type(transport_t) :: steps
       complex(dp) :: z
       real(dp), parameter :: frequency = 9
-      call steady(multigrid, .true.)
+      call solve_sample(multigrid, .true.)
       associate (grid => multigrid%levels(2)%problem%grid, wide => multigrid%levels(1)%problem%grid)
          z = exp(cmplx(0, frequency*grid%hx, dp))
          fine = harmonic_wedge(grid, frequency, grid%hx)
@@ -127,7 +119,7 @@ contains
       real(dp) :: worst
       integer :: i, j, turn
 
-      call steady(multigrid, is_half)
+      call solve_sample(multigrid, is_half)
       call solver%init(multigrid%levels)
       associate (level => multigrid%levels(size(multigrid%levels)), grid => multigrid%levels(size(multigrid%levels))%problem%grid, &
                  system => solver%linear, linearised => solver%linear%levels(solver%linear%finest))
@@ -206,7 +198,7 @@ contains
       type(full_multigrid_t) :: multigrid
       type(harmonic_solver_t) :: solver
       type(harmonic_response_t) :: first, other, again, oblique
-      call steady(multigrid, .false.)
+      call solve_sample(multigrid, .false.)
       call solver%init(multigrid%levels)
       call solver%respond(multigrid%levels, new_waviness(1.2_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.0_dp, 1, first)
       call solver%respond(multigrid%levels, new_waviness(0.0_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.0_dp, 1, other)
@@ -235,7 +227,7 @@ contains
       type(full_multigrid_t) :: multigrid
       type(harmonic_solver_t) :: solver
       type(harmonic_response_t) :: exact, slow
-      call steady(multigrid, .true.)
+      call solve_sample(multigrid, .true.)
       call solver%init(multigrid%levels)
       solver%tolerance = 1e-9_dp
       call solver%respond(multigrid%levels, new_waviness(0.0_dp, 0.8_dp, .false., -2.5_dp, 1.5_dp), 0.0_dp, 1, exact)

@@ -4,7 +4,7 @@ program test_heat
    use ehlwave_film_shear, only: made_by_own, made_by_stress, made_heat, made_stress_by_rise
    use ehlwave_film_levels, only: film_levels_t, level_weights_t, new_film_levels, new_level_weights
    use ehlwave_kinds, only: dp, pi
-   use ehlwave_moving_source, only: source_weights
+   use fast_surface, only: fast_limit
    use testing, only: test_t
    implicit none (type, external)
 
@@ -19,16 +19,6 @@ program test_heat
    call test%finish()
 
 contains
-
-   !> Weights of X^(-1/2): a source that moves fast.
-   function fast_limit(n, h) result(w)
-      integer, intent(in) :: n
-      real(dp), intent(in) :: h
-      real(dp), parameter :: peclet = 1e7_dp
-      real(dp) :: all(-n:n, 0:0), w(0:n)
-      all = sqrt(2*pi*peclet)*source_weights(n, 0, h, h, peclet, .true.)
-      w = all(0:, 0)
-   end function fast_limit
 
    !> Integrals and values between levels are exact for cubics.
    subroutine check_levels()

@@ -1,32 +1,3 @@
-!> A monitor that stops a march of surfaces that touch on its finest mesh.
-module touching_counter
-   use ehlwave_monitor, only: monitor_t, stop_now
-   implicit none (type, external)
-   private
-
-   !> Counts the time steps of marches of a given length.
-   type, extends(monitor_t), public :: counter_t
-      integer :: total = 0                          !! steps of the march that counts
-      integer :: stop_at = huge(1)
-      integer :: steps = 0, first = 0               !! steps that were done, number of the first
-   contains
-      procedure :: step_done => count_step
-   end type counter_t
-
-contains
-
-   subroutine count_step(self, stage, done, total)
-      class(counter_t), intent(inout) :: self
-      character(len=*), intent(in) :: stage
-      integer, intent(in) :: done, total
-      if (stage /= 'time step with touching' .or. total /= self%total) return
-      if (self%steps == 0) self%first = done
-      self%steps = self%steps + 1
-      if (done >= self%stop_at .and. done < total) self%request = stop_now
-   end subroutine count_step
-
-end module touching_counter
-
 !> A march of surfaces that touch goes on from its checkpoint with the same bits, in line and elliptical contacts.
 program test_touching_checkpoint
    use ehlwave_case_completion, only: complete_case
@@ -41,8 +12,8 @@ program test_touching_checkpoint
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_posix, only: remove_file
    use ehlwave_status, only: status_interrupted
+   use step_counter, only: counter_t
    use testing, only: test_t
-   use touching_counter, only: counter_t
    implicit none (type, external)
 
    character(len=*), parameter :: path = 'test_touching_checkpoint.checkpoint'
@@ -114,6 +85,7 @@ contains
 
       checkpoint%path = path
       checkpoint%identity = '0123456789ABCDEF'
+      monitor%stage = 'time step with touching'
       monitor%total = plan%steps
       monitor%stop_at = last
       call run_estimated_case(case, plan, monitor, result, keeper=checkpoint)

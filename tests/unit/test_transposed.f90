@@ -5,10 +5,9 @@ program test_transposed
    use ehlwave_harmonic_solver, only: harmonic_solver_t
    use ehlwave_hierarchy, only: work_of
    use ehlwave_kinds, only: dp
-   use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_status, only: status_converged
    use ehlwave_steady_tangent, only: steady_adjoint_t, steady_tangent_t, tangent_change_t
-   use sample_contact, only: make_multigrid, noise
+   use sample_contact, only: noise, solve_sample
    use testing, only: test_t
    implicit none (type, external)
 
@@ -23,13 +22,6 @@ program test_transposed
 
 contains
 
-   subroutine steady(multigrid, is_half)
-      type(full_multigrid_t), intent(inout) :: multigrid
-      logical, intent(in) :: is_half
-      call make_multigrid(multigrid, 100.0_dp, 0.35_dp, 48, is_half)
-      call multigrid%solve(solve_limits_t(tolerance=1e-9_dp), 1e-3_dp)
-   end subroutine steady
-
    !> The steady system. The gap at one node moves; the film there is the result.
    subroutine real_system(test, what, is_half)
       type(test_t), intent(inout) :: test
@@ -43,7 +35,7 @@ contains
       real(dp) :: work
       integer :: i
 
-      call steady(multigrid, is_half)
+      call solve_sample(multigrid, is_half)
       call tangent%init(multigrid%levels)
       associate (levels => multigrid%levels, linear => tangent%linear, grid => multigrid%levels(2)%problem%grid)
          call grid%new_field(h)
@@ -91,7 +83,7 @@ contains
       real(dp) :: work
       integer :: i, status
 
-      call steady(multigrid, is_half)
+      call solve_sample(multigrid, is_half)
       call solver%init(multigrid%levels)
       associate (levels => multigrid%levels, linear => solver%linear)
          call solver%set_frequency(levels, 4.0_dp, (0.2_dp, 0.1_dp), is_real=.false.)

@@ -1,8 +1,8 @@
 !> Rise of surfaces under heat that changes in time: closed forms.
 program test_wall_history
    use ehlwave_kinds, only: dp, pi
-   use ehlwave_moving_source, only: source_weights
    use ehlwave_wall_history, only: new_wall_history, wall_history_t
+   use fast_surface, only: fast_limit
    use testing, only: test_t
    implicit none (type, external)
 
@@ -14,16 +14,6 @@ program test_wall_history
    call test%finish()
 
 contains
-
-   !> Weights of X^(-1/2): a source that moves fast.
-   function fast_limit(n, h) result(w)
-      integer, intent(in) :: n
-      real(dp), intent(in) :: h
-      real(dp), parameter :: peclet = 1e7_dp
-      real(dp) :: all(-n:n, 0:0), w(0:n)
-      all = sqrt(2*pi*peclet)*source_weights(n, 0, h, h, peclet, .true.)
-      w = all(0:, 0)
-   end function fast_limit
 
    !> A step in time under a heat flow at its end: the rise there.
    subroutine pass(wall, heat, rise)
