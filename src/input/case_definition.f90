@@ -85,6 +85,7 @@ module ehlwave_case_definition
       procedure :: has_linear_range
       procedure :: moves
       procedure :: marches
+      procedure :: touches_at_rest
       procedure :: responds
    end type case_t
 
@@ -123,6 +124,12 @@ contains
       class(case_t), intent(in) :: self
       is_rough = self%is_wavy() .or. self%is_measured() .or. self%is_pair()
    end function is_rough
+
+   !> Whether the steady state is one of waves at rest that solids may bear.
+   elemental logical function touches_at_rest(self)
+      class(case_t), intent(in) :: self
+      touches_at_rest = self%effects%touching%is_given() .and. self%is_wavy() .and. .not. self%marches()
+   end function touches_at_rest
 
    !> Whether the gap changes in time: a pattern varies along X and its surface moves.
    elemental logical function moves(self)
