@@ -65,7 +65,7 @@ contains
       type(rescue_t) :: rescue
       logical :: is_found
       character(len=:), allocatable :: failure, name, unresolved
-      real(dp) :: besides, start
+      real(dp) :: besides, highest, start
 
       start = wall_seconds()
       result = blank_result(case, plan)
@@ -105,7 +105,9 @@ contains
             end select
          end if
          call compare_with_small_waves(case, result)
-         call add_warning(result, extrapolation_text(case, plan%rheology, max(result%max_pressure, rescue%highest)))
+         highest = rescue%highest
+         if (ieee_is_finite(result%max_pressure)) highest = max(highest, result%max_pressure)
+         call add_warning(result, extrapolation_text(case, plan%rheology, highest))
          if (case%fields) then
             allocate (result%x, source=level%problem%grid%x)
             allocate (result%y, source=level%problem%grid%y)
