@@ -72,8 +72,8 @@ contains
       call visit_surface(case%roughness_t, 'A measured surface in place of &waviness.', &
          'surface written by `ehlwave surface`; it enters at x_min, moves with S and is followed until its '// &
          'trailing end is at the contact centre, or end_time; needs dimensional conditions. The whole domain is '// &
-         'computed unless it is even in Y. With --output, surface_position_m is the x of the surface at the centre for each '// &
-         'film_at_centre', list)
+         'computed unless it is even in Y. With --output, surface_position_m is the x of the surface at '// &
+         'the centre for each film_at_centre', list)
       call case%effects%visit('surface', list)
       call visit_grid(case, list)
       call visit_solver(case, list)
