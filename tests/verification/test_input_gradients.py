@@ -171,7 +171,7 @@ class InputGradients(TestCase):
     def test_drawn_contacts(self):
         """Points and lines of any oil, sliding or not, flooded or starved, and surfaces that touch."""
         first = int(os.environ.get("EHLWAVE_FIRST_DRAW", "0"))
-        numbers = [*range(first, first + (200 if IS_LONG else 10)), *range(TOUCHING + first, TOUCHING + first + (60 if IS_LONG else 5))]
+        numbers = [*range(first, first + (200 if IS_LONG else 10)), *range(TOUCHING + first, TOUCHING + first + (60 if IS_LONG else 3))]
         outcomes = [self.check(number) for number in numbers]
         touching = [count for number, (count, _) in zip(numbers, outcomes) if number >= TOUCHING]
         self.assertGreater(sum(count > 0 for count in touching), len(touching)/2, "touching surfaces with a solution")
