@@ -116,6 +116,21 @@ def test_a_title_above_numbers_between_blanks(tmp_path: Path) -> None:
     assert_trace(read(tmp_path, text, length_unit="mm", height_unit="um"))
 
 
+@pytest.mark.parametrize("heading", ["Zeit;Hoehe [um]", "time;z [um]", "No.;Z [um]"])
+def test_times_and_counts_without_a_unit_are_no_positions(tmp_path: Path, heading: str) -> None:
+    text = f"{heading}\n" + table(2.5 * ROW, Z_UM)
+    with pytest.raises(SurfaceError, match="has no positions"):
+        read(tmp_path, text, length_unit="um")
+    assert_trace(read(tmp_path, text, step=1.0, length_unit="um"))
+
+
+@pytest.mark.parametrize("title", ["Height 12", "Profil;12", "Position 3"])
+def test_a_title_with_a_number_is_no_heading(tmp_path: Path, title: str) -> None:
+    separator = ";" if ";" in title else " "
+    text = f"{title}\n" + table(X_MM, Z_UM, separator=separator)
+    assert_trace(read(tmp_path, text, length_unit="mm", height_unit="um"))
+
+
 def test_numbers_as_they_are_written(tmp_path: Path) -> None:
     head, units = "x [mm];z [um]\n", {"length_unit": "mm", "height_unit": "um"}
     for text in (

@@ -24,7 +24,9 @@ def main() -> int:
     Writer().folder(options.folder)
     known = key_groups()
     if options.what == "extend":
-        sample.extend(options.folder, sample.part_of(options.part), options.contacts, known)
+        recorded = {one["number"] for one in judged.read_contacts(RECORD / "contacts.jsonl")}
+        part = sample.part_of(options.part)
+        sample.extend(options.folder, part, options.contacts, known, recorded)
         return 0
     return _judge(options, known)
 

@@ -82,9 +82,11 @@ def part_of(text: str | None) -> tuple[int, int]:
     return (int(rank) + 1, int(ranks)) if rank and ranks else (1, 1)
 
 
-def extend(folder: Path, part: tuple[int, int], count: int, known: dict[str, str]) -> None:
+def extend(
+    folder: Path, part: tuple[int, int], count: int, known: dict[str, str], recorded: set[int]
+) -> None:
     """Compute the missing contacts of a part, and keep each when it is done."""
-    done = {row["number"] for row in kept(folder)}
+    done = recorded | {row["number"] for row in kept(folder)}
     own = Writer().folder(folder / f"part-{part[0]}-of-{part[1]}")
     for number in numbers_of(part, count):
         if number not in done:
