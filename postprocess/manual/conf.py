@@ -31,6 +31,7 @@ include_patterns = [
     "CHANGELOG.md",
     "CONTRIBUTING.md",
     "src/theory.md",
+    "src/theory/*.md",
     "inputs/*.md",
     "inputs/keys/*.md",
     "postprocess/*.md",

@@ -1,4 +1,4 @@
-!> Newton's method with active sets for a contact whose surfaces may touch, theory section Z.
+!> Newton's method with active sets for a contact whose surfaces may touch, theory section 8.2.
 module ehlwave_touching_newton
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_from_dimensional, conditions_t, contact_data_t

@@ -39,7 +39,7 @@ contains
       state%c(node(1), node(2)) = 1e-3_dp
    end subroutine touch_first
 
-   !> Take a limited step and choose the sets anew, theory section Z. Steps after which two sets alternate are cut.
+   !> Take a limited step and choose the sets anew, theory section 8.2. Steps after which two sets alternate are cut.
    subroutine take(self, problem, law, given, marches, change, gap, state)
       class(touching_steps_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem

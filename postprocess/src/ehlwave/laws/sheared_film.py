@@ -1,7 +1,7 @@
 """Shear stress, friction and temperatures of a sliding film, place by place under Hertz pressure.
 
 The film has a uniform thickness. Without convection and pressure gradients, a film whose viscosity
-falls as exp(-beta theta) has a closed form, (T8) of ``src/theory.md``; surfaces are warmed by the
+falls as exp(-beta theta) has a closed form, (T8) of the theory; surfaces are warmed by the
 heat that passed before, (T16). Friction is the integral of the stress over the load.
 """
 
