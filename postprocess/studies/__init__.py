@@ -5,7 +5,7 @@
 - ``paper``: cases, formulas and report of ``scripts/reproduce --full``, with ``experiment`` and
   ``two_waves``;
 - accuracy and cost: ``accuracy``, ``all_keys``, ``answered``, ``budget``, ``calibrate``,
-  ``elements``, ``error_time``, ``line_work``, ``speed``, ``stability``,
+  ``elements``, ``error_time``, ``line_work``, ``speed``, ``threads``, ``stability``,
   ``touching``, ``peers`` with ``peer_runs`` and ``peer_slippy``;
 - shipped data: ``atlas``, ``starvation``, ``heat``, ``heat_films``, ``heated_contacts``,
   ``inlet_law``, ``inlet_tables``, ``judged``;

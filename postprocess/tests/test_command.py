@@ -172,6 +172,7 @@ def test_a_program_that_is_none(
         (["accuracy"], {"report": 1}, 1),
         (["accuracy", "--all-keys", "--count", "3"], {"studies.all_keys": 1}, 1),
         (["speed", "--repeats", "1"], {"studies.speed": 1}, 1),
+        (["threads", "--threads", "3"], {"studies.threads": 1}, 1),
         (["atlas", "--batches", "1"], {"run-sweep": 85}, 85),
         (["atlas", "--validate", "--line"], {"run-sweep": 1}, 0),
         (["full", "--stage", "two_waves"], {"two_waves.nml": 1}, 1),

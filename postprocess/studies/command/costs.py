@@ -72,6 +72,28 @@ def speed(options: argparse.Namespace) -> int:
 
 
 @study(
+    "threads",
+    output("threads"),
+    option("--cells", "N", "along each side (default 1024)", 1024),
+    option("--threads", "N", "threads, and runs side by side (default: the cores)"),
+    option("--repeats", "N", "runs of each, of which the fastest counts (default 3)", 3),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def threads(options: argparse.Namespace) -> int:
+    """Compare a contact on several threads with as many runs side by side.
+
+    Runs M = 100, L = 12.05, D = 1, smooth and with the first 32 time steps of transverse waviness
+    of lambda = 0.5 a, by the method auto. Printed is the share of the throughput of the separate
+    runs that the threads reach. The first line is for independent square roots: the upper limit of
+    the machine. Writes threads.csv.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare(options.program)
+    return steps.report("threads", *given(options, "output", "cells", "threads", "repeats"))
+
+
+@study(
     "peers",
     output("peers"),
     option("--fbns", "DIR", "a clone of github.com/ErikHansenGit/EHL; needs octave-cli"),
