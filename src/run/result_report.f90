@@ -149,14 +149,17 @@ contains
       end subroutine print_response
 
       subroutine print_shear()
+         character(len=:), allocatable :: contact
          associate (r => result%shear)
             if (ieee_is_finite(r%friction_coefficient)) write (unit, '(a)') 'Friction     coefficient '// &
                to_text(r%friction_coefficient, 5)//largest_b()
             if (ieee_is_finite(result%rolling%coefficient)) call print_rolling()
             call result%effects%print(after_friction, unit, plan)
             if (ieee_is_finite(r%inlet%rise_k) .and. .not. case%effects%are_warm()) then
+               contact = ''
+               if (ieee_is_finite(r%contact_rise_k)) contact = ', contact '//to_text(r%contact_rise_k, 2)//' K'
                write (unit, '(a)') '             estimated temperature rise: inlet '//to_text(r%inlet%rise_k, 2)// &
-                  ' K, contact '//to_text(r%contact_rise_k, 2)//' K (the model is isothermal)'
+                  ' K'//contact//' (the model is isothermal)'
             end if
          end associate
          if (result%warning /= '') write (unit, '(a)') 'Warning      '//result%warning
