@@ -344,3 +344,94 @@ def test_wrong_bearings_are_refused_by_name(changed: dict[str, object], said: st
 def test_no_load_is_refused() -> None:
     with pytest.raises(ehlwave.SurfaceError, match="radial_load_n is missing"):
         example().contacts(inner_speed_rpm=3000, oil=OIL)
+
+
+FAST = 15000.0
+HARRIS = AngularContactBallBearing(
+    ball_diameter_m=0.02223,
+    pitch_diameter_m=0.12526,
+    balls=16,
+    contact_angle_deg=40,
+    conformity=0.5232,
+)
+TURN = 360 * np.arange(16) / 16
+
+
+@pytest.mark.parametrize("radial", [0.0, 10000.0])
+def test_balls_balance_contact_forces_and_centrifugal_force(radial: float) -> None:
+    zone = HARRIS.load_zone(axial_load_n=17800, radial_load_n=radial, inner_speed_rpm=FAST)
+    force = HARRIS.centrifugal_load_n(FAST, 0.0, 40.0)
+    (inner, inside), (outer, outside) = (zone.loads_at(TURN, ring) for ring in ("inner", "outer"))
+    sines, cosines = ([f(np.radians(a)) for a in (inside, outside)] for f in (np.sin, np.cos))
+    assert outer * cosines[1] == pytest.approx(inner * cosines[0] + force, rel=1e-9)
+    assert outer * sines[1] == pytest.approx(inner * sines[0], abs=1e-9 * force)
+    assert (inner * sines[0]).sum() == pytest.approx(17800, rel=1e-8)
+    around = inner * cosines[0] * np.cos(np.radians(TURN))
+    assert around.sum() == pytest.approx(radial, abs=1e-4)
+    assert (inside > outside).all()
+
+
+def test_centres_of_balls_close_between_the_groove_centres() -> None:
+    """Both vectors from the ball's centre end at the groove centres of the displaced ring."""
+    zone = HARRIS.load_zone(axial_load_n=17800, radial_load_n=10000, inner_speed_rpm=FAST)
+    grooves, (power, both) = HARRIS.grooves, (HARRIS.power, HARRIS.stiffnesses)
+    sums = np.zeros((2, TURN.size))
+    for ring, radius, stiffness in zip(("inner", "outer"), grooves.radii_m, both, strict=True):
+        load, angle = zone.loads_at(TURN, ring)
+        length = radius + (load / stiffness) ** (1 / power)
+        sums += length * np.array([np.sin(np.radians(angle)), np.cos(np.radians(angle))])
+    free = grooves.free_angle_rad
+    along = grooves.distance_m * math.sin(free) + zone.axial_m
+    across = grooves.distance_m * math.cos(free) + zone.radial_m * np.cos(np.radians(TURN))
+    assert sums[0] == pytest.approx(along, rel=1e-10)
+    assert sums[1] == pytest.approx(across, rel=1e-10)
+
+
+def test_outer_ring_bears_the_centrifugal_force_beside_the_load() -> None:
+    """The larger approach of the outer race is that of its load, solved for by itself."""
+    bearing, speed = example(), 20000.0
+    force = bearing.centrifugal_load_n(speed)
+    given = {"radial_load_n": 1000, "inner_speed_rpm": speed, "oil": OIL}
+    full = {**given, "has_centrifugal_load": True}
+    inner, outer = (bearing.contacts(ring=ring, **full) for ring in ("inner", "outer"))
+    assert [b.load_n - a.load_n for a, b in zip(inner, outer, strict=True)] == pytest.approx(
+        [force] * 3
+    )
+    radial = sum(one.load_n * math.cos(math.radians(one.angle_deg)) for one in inner)
+    assert radial == pytest.approx(1000, rel=EXACT)
+    approach = sum(
+        (place.load_n / k) ** (1 / BALL_POWER)
+        for place, k in zip((inner[0], outer[0]), bearing.stiffnesses, strict=True)
+    )
+    zone = bearing.load_zone(radial_load_n=1000, inner_speed_rpm=speed)
+    assert zone.radial_m == pytest.approx(approach, rel=EXACT)
+    assert 80 < zone.half_width_deg < 90
+    table = bearing.over_load_zone(**full, points=3).isel(angle_deg=1)
+    assert table["load_n"].values == pytest.approx([inner[0].load_n, outer[0].load_n])
+    assert bearing.contacts(ring="outer", **given)[0].load_n == pytest.approx(619.613957, rel=1e-8)
+    with pytest.warns(ehlwave.errors.ExtrapolationWarning, match="centrifugal force"):
+        bearing.over_load_zone(**given, points=1)
+
+
+def test_rib_of_tapered_rollers_bears_centrifugal_force_along_their_axis() -> None:
+    bearing = TaperedRollerBearing(
+        roller_diameter_m=0.01,
+        roller_length_m=0.015,
+        pitch_diameter_m=0.06,
+        rollers=16,
+        inner_angle_deg=12,
+        outer_angle_deg=15.5,
+    )
+    given = {"radial_load_n": 1000, "axial_load_n": 1500}
+    zone = bearing.load_zone(inner_speed_rpm=FAST, **given)
+    turn = 360 * np.arange(16) / 16
+    (inner, _), (outer, _) = (zone.loads_at(turn, ring) for ring in ("inner", "outer"))
+    force = bearing.centrifugal_load_n(FAST, 0.0, bearing.axis_angle_deg)
+    inside, outside, axis = (math.radians(a) for a in (12, 15.5, 13.75))
+    rib = (outer * math.sin(outside) - inner * math.sin(inside)) / math.cos(axis)
+    across = outer * math.cos(outside) - inner * math.cos(inside) + rib * math.sin(axis)
+    assert across == pytest.approx(force, rel=1e-9)
+    ring = inner * math.sin(inside) + rib * math.cos(axis)
+    assert ring.sum() == pytest.approx(1500, rel=1e-8)
+    with pytest.raises(ehlwave.EhlwaveError, match="no equilibrium"):
+        bearing.load_zone(inner_speed_rpm=60000, **given)

@@ -6,9 +6,10 @@ module ehlwave_case_completion
    use ehlwave_effects_plan, only: effects_plan_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
-   use ehlwave_case_roughness, only: check_line_roughness, check_response, complete_amplitude, &
+   use ehlwave_case_roughness, only: check_line_roughness, check_response, complete_amplitudes, &
       complete_roughness
    use ehlwave_method_choice, only: choose_method
+   use ehlwave_roughness, only: roughness_t
    use ehlwave_sensitivity_check, only: check_sensitivities
    use ehlwave_scheme_choice, only: check_scheme, choose_scheme
    use ehlwave_petsc_library, only: require_petsc
@@ -34,8 +35,7 @@ contains
       if (.not. allocated(error) .and. conditions%is_line()) call complete_line(case, error)
       if (case%largest_cells == 0) case%largest_cells = usual_largest_cells
       if (.not. allocated(error)) call complete_roughness(case, error)
-      call complete_amplitude(case%roughness_t, '', conditions, error)
-      call complete_amplitude(case%second, '2', conditions, error)
+      call complete_amplitudes(case, conditions, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
       if (.not. allocated(error)) call effects%check(case, error)
@@ -58,9 +58,13 @@ contains
       type(case_t), intent(inout) :: case
       type(error_t), allocatable, intent(inout) :: error
       character(len=*), parameter :: line = ': a line contact (radius_ratio_d = 0) '
+      type(roughness_t) :: both(2)
+      integer :: n
 
-      call check_line_roughness(case, case%roughness_t, '', line, error)
-      call check_line_roughness(case, case%second, '2', line, error)
+      both = case%surfaces()
+      do n = 1, size(both)
+         call check_line_roughness(case, both(n), line, error)
+      end do
       if (allocated(error)) return
       if (case%method == 'fas') then
          call raise(error, "&solver method = 'fas'"//line//"is solved by 'newton' or 'petsc'")

@@ -1,14 +1,15 @@
 !> The rough surfaces of a case: their wavelengths, and refusals.
 module ehlwave_case_roughness
-   use ehlwave_case_definition, only: case_t, roughness_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_formula, only: expected_film
    use ehlwave_kinds, only: dp
+   use ehlwave_roughness, only: roughness_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: check_line_roughness, check_response, complete_amplitude, complete_roughness
+   public :: check_line_roughness, check_response, complete_amplitudes, complete_roughness
 
 contains
 
@@ -16,23 +17,22 @@ contains
    subroutine complete_roughness(case, error)
       type(case_t), intent(inout) :: case
       type(error_t), allocatable, intent(inout) :: error
-
-      call complete_waviness(case%roughness_t, '', error)
-      call complete_waviness(case%second, '2', error)
-      if (allocated(error) .or. .not. case%is_pair()) return
-      if (.not. (case%is_wavy() .or. case%is_measured())) then
-         call raise(error, given_as(case%second, '2')//' without &waviness or &surface: a single rough surface is '// &
-            'the first; write it there, with 2 - S for slip_parameter')
-      else if (case%response /= 'harmonic') then
-         call check_moving(case%roughness_t, '', case%slip_parameter, error)
-         call check_moving(case%second, '2', 2 - case%slip_parameter, error)
-      end if
+      call complete_waviness(case%roughness_t, error)
+      call complete_waviness(case%effects%second%roughness, error)
    end subroutine complete_roughness
 
+   !> Complete the amplitudes of both surfaces.
+   subroutine complete_amplitudes(case, conditions, error)
+      type(case_t), intent(inout) :: case
+      type(conditions_t), intent(in) :: conditions
+      type(error_t), allocatable, intent(inout) :: error
+      call complete_amplitude(case%roughness_t, conditions, error)
+      call complete_amplitude(case%effects%second%roughness, conditions, error)
+   end subroutine complete_amplitudes
+
    !> Give waves of a known amplitude the amplitude over the film of the formula, for estimates of the plan.
-   subroutine complete_amplitude(roughness, number, conditions, error)
+   subroutine complete_amplitude(roughness, conditions, error)
       type(roughness_t), intent(inout) :: roughness
-      character(len=*), intent(in) :: number         !! number of the surface in the names of groups: '' or '2'
       type(conditions_t), intent(in) :: conditions
       type(error_t), allocatable, intent(inout) :: error
 
@@ -40,50 +40,19 @@ contains
       if (conditions%has_dimensions) then
          roughness%amplitude_over_film = roughness%amplitude_m/(conditions%c_m*expected_film(conditions))
       else
-         call raise(error, '&waviness'//number//' amplitude_m holds metres: give &conditions by dimensional data '// &
-            '(radius_x_m, ...), or amplitude_over_film in its place')
+         call raise(error, roughness%group('waviness')//' amplitude_m holds metres: give &conditions by '// &
+            'dimensional data (radius_x_m, ...), or amplitude_over_film in its place')
       end if
    end subroutine complete_amplitude
 
-   !> Refuse a stationary surface of a pair in a march: its pattern would never enter, or be present at once.
-   subroutine check_moving(roughness, number, speed, error)
-      type(roughness_t), intent(in) :: roughness
-      character(len=*), intent(in) :: number
-      real(dp), intent(in) :: speed                  !! over the mean speed
-      type(error_t), allocatable, intent(inout) :: error
-      character(len=*), parameter :: way = ": take response = 'harmonic', or remove one surface"
-
-      if (allocated(error)) return
-      if (.not. speed > 0) then
-         call raise(error, given_as(roughness, number)//': the surface stands still (slip_parameter), and marches '// &
-            'take pairs of surfaces that both move'//way)
-      else if (roughness%is_wavy() .and. .not. roughness%wavelength_x_over_a > 0) then
-         call raise(error, given_as(roughness, number)//': the pattern does not vary along X and stands still; '// &
-            'marches take pairs of patterns that both move'//way)
-      end if
-   end subroutine check_moving
-
-   !> The group and key by which a surface is given, with its value.
-   pure function given_as(roughness, number) result(text)
-      type(roughness_t), intent(in) :: roughness
-      character(len=*), intent(in) :: number         !! number of the surface in the names of groups: '' or '2'
-      character(len=:), allocatable :: text
-      if (roughness%is_measured()) then
-         text = '&surface'//number//" file = '"//trim(roughness%surface_file)//"'"
-      else
-         text = '&waviness'//number//" orientation = '"//trim(roughness%orientation)//"'"
-      end if
-   end function given_as
-
    !> Wavelengths along X and Y from the orientation, and back.
-   subroutine complete_waviness(waves, number, error)
+   subroutine complete_waviness(waves, error)
       type(roughness_t), intent(inout) :: waves
-      character(len=*), intent(in) :: number         !! as in `given_as`
       type(error_t), allocatable, intent(inout) :: error
 
       if (allocated(error)) return
       if (waves%is_measured() .and. waves%is_wavy()) then
-         call raise(error, given_as(waves, number)//' and &waviness'//number//" orientation = '"// &
+         call raise(error, waves%given_as()//' and '//waves%group('waviness')//" orientation = '"// &
             trim(waves%orientation)//"': give one of the two")
          return
       end if
@@ -94,16 +63,16 @@ contains
          waves%wavelength_y_over_a = 0
       case ('custom')
          if (max(waves%wavelength_x_over_a, waves%wavelength_y_over_a) <= 0) then
-            call raise(error, '&waviness'//number//" orientation 'custom' needs wavelength_x_over_a or "// &
+            call raise(error, waves%group('waviness')//" orientation 'custom' needs wavelength_x_over_a or "// &
                'wavelength_y_over_a above 0 (0 means no variation in that direction)')
          else if (waves%oblique .and. min(waves%wavelength_x_over_a, waves%wavelength_y_over_a) <= 0) then
-            call raise(error, '&waviness'//number//' oblique needs both wavelength_x_over_a and '// &
+            call raise(error, waves%group('waviness')//' oblique needs both wavelength_x_over_a and '// &
                'wavelength_y_over_a above 0')
          end if
          waves%wavelength_over_a = shorter(waves%wavelength_x_over_a, waves%wavelength_y_over_a)
       case default
          if (.not. waves%wavelength_over_a > 0) &
-            call raise(error, '&waviness'//number//" wavelength_over_a is missing: orientation '"// &
+            call raise(error, waves%group('waviness')//" wavelength_over_a is missing: orientation '"// &
             trim(waves%orientation)//"' needs it")
          waves%wavelength_x_over_a = merge(0.0_dp, waves%wavelength_over_a, waves%orientation == 'longitudinal')
          waves%wavelength_y_over_a = merge(0.0_dp, waves%wavelength_over_a, waves%orientation == 'transverse')
@@ -119,10 +88,9 @@ contains
 
    !> Refuse surfaces outside line contacts: heights, and waves along Y, except linear responses that also vary
    !> along X.
-   subroutine check_line_roughness(case, roughness, number, line, error)
+   subroutine check_line_roughness(case, roughness, line, error)
       type(case_t), intent(in) :: case
       type(roughness_t), intent(in) :: roughness     !! roughness of a surface
-      character(len=*), intent(in) :: number         !! as in `given_as`
       character(len=*), intent(in) :: line           !! ': a line contact ... '
       type(error_t), allocatable, intent(inout) :: error
       character(len=*), parameter :: way = "has waves along Y in linear responses only: set response = 'harmonic', or "
@@ -132,16 +100,17 @@ contains
       has_waves_along = roughness%orientation == 'isotropic' .or. roughness%wavelength_y_over_a > 0
       if (roughness%orientation == 'longitudinal' .or. (roughness%wavelength_y_over_a > 0 .and. &
           roughness%orientation == 'custom' .and. .not. roughness%wavelength_x_over_a > 0)) then
-         call raise(error, given_as(roughness, number)//line//"has no waves along Y alone: use 'transverse' or "// &
+         call raise(error, roughness%given_as()//line//"has no waves along Y alone: use 'transverse' or "// &
             "'isotropic', or an elliptical contact (radius_ratio_d of 0.005 or more)")
       else if (roughness%is_measured()) then
-         call raise(error, given_as(roughness, number)//line//'takes harmonic waves only')
+         call raise(error, roughness%given_as()//line//'takes harmonic waves only')
       else if (.not. has_waves_along) then
          return
       else if (case%response /= 'harmonic' .and. roughness%orientation == 'isotropic') then
-         call raise(error, given_as(roughness, number)//line//way//"orientation = 'transverse'")
+         call raise(error, roughness%given_as()//line//way//"orientation = 'transverse'")
       else if (case%response /= 'harmonic') then
-         call raise(error, '&waviness'//number//' wavelength_y_over_a = '//to_text(roughness%wavelength_y_over_a, 6)// &
+         call raise(error, roughness%group('waviness')//' wavelength_y_over_a = '// &
+                    to_text(roughness%wavelength_y_over_a, 6)// &
                     line//way//'wavelength_y_over_a to 0')
       end if
    end subroutine check_line_roughness
@@ -151,12 +120,17 @@ contains
       type(case_t), intent(in) :: case
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: given
+      type(roughness_t) :: both(2)
+      integer :: n
 
       if (case%response == 'transient') return
       given = "&waviness response = '"//trim(case%response)
-      if (case%is_measured() .or. case%second%is_measured()) then
-         if (case%is_measured()) call refuse_heights(case%roughness_t, '')
-         if (case%second%is_measured()) call refuse_heights(case%second, '2')
+      if (case%has_heights()) then
+         both = case%surfaces()
+         do n = 1, size(both)
+            if (both(n)%is_measured()) call raise(error, given//"' needs a single harmonic wave, "// &
+               both(n)%given_as()//' is none: remove '//both(n)%group('surface')//" or set response to 'transient'")
+         end do
       else if (abs(case%load_factor - 1) > 0) then
          call raise(error, given//"' is about the steady state under the nominal load: remove &dynamics "// &
             "load_factor or set response to 'transient'")
@@ -168,16 +142,6 @@ contains
          call raise(error, "&dynamics end_time is given but response = '"//trim(case%response)// &
             "' takes no time steps: remove end_time or set response to 'both' or 'transient'")
       end if
-
-   contains
-
-      subroutine refuse_heights(heights, number)
-         type(roughness_t), intent(in) :: heights
-         character(len=*), intent(in) :: number
-         call raise(error, given//"' needs a single harmonic wave, "//given_as(heights, number)//' is none: remove '// &
-            '&surface'//number//" or set response to 'transient'")
-      end subroutine refuse_heights
-
    end subroutine check_response
 
 end module ehlwave_case_roughness

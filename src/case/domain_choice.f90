@@ -1,6 +1,6 @@
 !> Errors by the edges of a domain, and how large a domain an accuracy needs.
 module ehlwave_domain_choice
-   use ehlwave_case_definition, only: case_t, roughness_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_far_field, only: far_field_t, new_far_field, rising_exponent
    use ehlwave_film_flow, only: film_flow_t
@@ -10,6 +10,7 @@ module ehlwave_domain_choice
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: has_room
    use ehlwave_rheology, only: rheology_t
+   use ehlwave_roughness, only: roughness_t
    implicit none (type, external)
    private
    public :: chosen_scale, expected_domain_errors, may_enlarge, scale_domain
@@ -64,8 +65,7 @@ contains
       type(case_t), intent(in) :: case
       real(dp), intent(in) :: scale
       type(case_t) :: usual
-      may_enlarge = case%accuracy > 0 .and. case%edges == 'flooded' .and. .not. case%is_measured() .and. &
-         .not. case%second%is_measured() .and. &
+      may_enlarge = case%accuracy > 0 .and. case%edges == 'flooded' .and. .not. case%has_heights() .and. &
          scale < largest_scale .and. &
          maxval(abs([case%x_min - usual%x_min, case%x_max - usual%x_max, case%y_max - usual%y_max])) <= 0
    end function may_enlarge
@@ -121,13 +121,13 @@ contains
       real(dp), intent(in) :: truncated   !! error of H(0,0) with P = 0 at the edges
       real(dp) :: long
 
-      long = wave_factor*(max(length_of(case%roughness_t), length_of(case%second))/abs(scale*case%x_min))**3
+      long = wave_factor*(maxval(length_of(case%surfaces()))/abs(scale*case%x_min))**3
       error = truncated*long/(1 + long)
       if (long > 0) error = error + slip_factor*abs(conditions%slip_parameter - 1)*truncated**2
    end function share_of_waves
 
    !> 2 pi over the wave number of waves that vary along X, in units of a; 0 for others.
-   pure real(dp) function length_of(waves)
+   elemental real(dp) function length_of(waves)
       type(roughness_t), intent(in) :: waves
       length_of = 0
       if (.not. (waves%is_wavy() .and. waves%wavelength_x_over_a > 0)) return

@@ -2,7 +2,7 @@
 module ehlwave_grid_choice
    use ehlwave_accuracy_model, only: expected_long_step_error, expected_step_error, fitted_share, largest_mesh, &
       points_for, wave_x_factor
-   use ehlwave_case_definition, only: case_t, roughness_t, usual_largest_cells
+   use ehlwave_case_definition, only: case_t, usual_largest_cells
    use ehlwave_conditions, only: conditions_t
    use ehlwave_effects_plan, only: effects_plan_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
@@ -10,6 +10,7 @@ module ehlwave_grid_choice
    use ehlwave_linear_range, only: expected_nonlinearity
    use ehlwave_resolution, only: coarsest_inlet, coarsest_side, fewest_points_per_wave, &
       inlet_length, times_as_wide, wanted_inlet, wanted_line_inlet, wanted_points_per_wave
+   use ehlwave_roughness, only: roughness_t
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -208,8 +209,13 @@ contains
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       logical, intent(in) :: moves      !! whether the pattern does
-      formula_ratio = of(case%roughness_t)
-      if (case%second%is_wavy()) formula_ratio = min(formula_ratio, of(case%second))
+      type(roughness_t) :: both(2)
+      integer :: n
+      both = case%surfaces()
+      formula_ratio = of(both(1))
+      do n = 2, size(both)
+         if (both(n)%is_wavy()) formula_ratio = min(formula_ratio, of(both(n)))
+      end do
       if (moves) formula_ratio = formula_ratio*max(0.0_dp, 1 - abs(conditions%slip_parameter - 1)/slip_without_formula)
 
    contains

@@ -15,6 +15,7 @@
 module ehlwave_linear_range
    use ehlwave_case_definition, only: case_t
    use ehlwave_kinds, only: dp
+   use ehlwave_roughness, only: roughness_t, surface_speed
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -31,11 +32,15 @@ contains
    !> Relative difference to expect between Ad/Ai of the waves of a case and of small waves.
    elemental real(dp) function expected_nonlinearity(case) result(difference)
       type(case_t), intent(in) :: case
+      type(roughness_t) :: waves(2)
+      integer :: n
       difference = 0
       if (.not. case%has_linear_range()) return
-      difference = curvature(case, case%slip_parameter)*case%amplitude_over_film**2
-      if (case%second%is_wavy()) difference = difference &
-         + curvature(case, 2 - case%slip_parameter)*case%second%amplitude_over_film**2
+      waves = case%surfaces()
+      do n = 1, size(waves)
+         if (waves(n)%is_wavy()) difference = difference &
+            + curvature(case, surface_speed(n, case%slip_parameter))*waves(n)%amplitude_over_film**2
+      end do
    end function expected_nonlinearity
 
    !> Whether the waves of a case, of both surfaces together, are beyond the linear range.
@@ -49,7 +54,8 @@ contains
       type(case_t), intent(in) :: case
       character(len=:), allocatable :: text
       text = limit(case%slip_parameter)//' % of the film'
-      if (case%second%is_wavy()) text = text//' on surface 1 and '//limit(2 - case%slip_parameter)//' % on surface 2'
+      if (case%effects%second%roughness%is_wavy()) &
+         text = text//' on surface 1 and '//limit(2 - case%slip_parameter)//' % on surface 2'
 
    contains
 

@@ -1,7 +1,7 @@
 !> The scheme of the Reynolds equation of a case: averaged, or fitted to steep inlets, theory eq. (D11) to (D13).
 module ehlwave_scheme_choice
    use ehlwave_accuracy_model, only: fitted_share
-   use ehlwave_case_definition, only: case_t, largest_line_cells, roughness_t
+   use ehlwave_case_definition, only: case_t, largest_line_cells
    use ehlwave_effect_keys, only: by_fitted_scheme, by_long_steps
    use ehlwave_case_lubricant, only: case_lubricant
    use ehlwave_conditions, only: conditions_t
@@ -9,6 +9,7 @@ module ehlwave_scheme_choice
    use ehlwave_grid_choice, only: accurate_mesh, pattern_t, smallest_size
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, inlet_length, times_as_wide
+   use ehlwave_roughness, only: roughness_t
    use ehlwave_thinning, only: new_thinning, thinning_t
    implicit none (type, external)
    private
@@ -108,7 +109,7 @@ contains
       pattern%moves = case%moves()
       pattern%slip = max(1.0_dp, conditions%slip_parameter)
       if (case%is_pair()) pattern%slip = max(pattern%slip, 2 - conditions%slip_parameter)
-      pattern%waves = max(wave_number(case%roughness_t), wave_number(case%second))*pattern%slip
+      pattern%waves = maxval(wave_number(case%surfaces()))*pattern%slip
       mesh = accurate_mesh(case, conditions, pattern, thinning%steepness*merge(fitted_share, 1.0_dp, fitted), fitted, &
                            cells_per_step)
       mesh = min(mesh, times_as_wide(fitted)*coarsest_inlet*inlet_length(conditions))
@@ -116,7 +117,7 @@ contains
    end function cells
 
    !> Waves per length along X, 0 where there are none.
-   pure real(dp) function wave_number(waves)
+   elemental real(dp) function wave_number(waves)
       type(roughness_t), intent(in) :: waves
       wave_number = 0
       if (waves%is_wavy() .and. waves%wavelength_x_over_a > 0) wave_number = 1/waves%wavelength_x_over_a

@@ -1,11 +1,12 @@
 !> The rough surfaces of a case, and the time that a measured surface is followed.
 module ehlwave_surface_plan
-   use ehlwave_case_definition, only: case_t, roughness_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: case_file_t, note_digest
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_identity_index, only: identity_length, numbers_identity
    use ehlwave_kinds, only: dp
+   use ehlwave_roughness, only: roughness_t, surface_speed
    use ehlwave_surface, only: new_surface, surface_t
    use ehlwave_surface_file, only: read_surface_file
    use ehlwave_surfaces, only: surfaces_t
@@ -26,19 +27,22 @@ contains
       type(case_file_t), intent(inout) :: files(:)
       type(error_t), allocatable, intent(inout) :: error
       type(waviness_t), allocatable :: list(:)
+      type(roughness_t) :: both(2)
+      integer :: n
 
+      both = case%surfaces()
       allocate (list(merge(2, 1, case%is_pair())))
-      call plan_surface(case, case%roughness_t, '', conditions%slip_parameter, conditions, list(1), files, error)
-      if (case%is_pair()) call plan_surface(case, case%second, '2', 2 - conditions%slip_parameter, conditions, &
-                                            list(2), files, error)
+      do n = 1, size(list)
+         call plan_surface(case, both(n), surface_speed(n, conditions%slip_parameter), conditions, list(n), files, &
+                           error)
+      end do
       surfaces%list = list
    end subroutine plan_surfaces
 
    !> A surface of the list.
-   subroutine plan_surface(case, roughness, number, speed, conditions, waviness, files, error)
+   subroutine plan_surface(case, roughness, speed, conditions, waviness, files, error)
       type(case_t), intent(in) :: case
       type(roughness_t), intent(in) :: roughness     !! roughness of the surface
-      character(len=*), intent(in) :: number         !! number of the surface in the names of groups: '' or '2'
       real(dp), intent(in) :: speed                  !! over the mean speed
       type(conditions_t), intent(in) :: conditions
       type(waviness_t), intent(out) :: waviness
@@ -49,7 +53,7 @@ contains
 
       waviness = no_waviness()
       if (roughness%is_measured()) then
-         call read_case_surface(case, roughness, number, speed, conditions, waviness, digest, error)
+         call read_case_surface(case, roughness, speed, conditions, waviness, digest, error)
          call note_digest(files, trim(roughness%surface_file), digest)
       else if (roughness%is_wavy()) then
          aspect = merge(1.0_dp, conditions%elliptic%kappa, conditions%is_line())   ! lines have Y = y/a
@@ -61,10 +65,9 @@ contains
 
    !> Pattern of a measured surface, scaled by the lengths of the contact. Fails on a file that cannot be used, on
    !> conditions without lengths, and when the surface does not move.
-   subroutine read_case_surface(case, roughness, number, speed, conditions, waviness, digest, error)
+   subroutine read_case_surface(case, roughness, speed, conditions, waviness, digest, error)
       type(case_t), intent(in) :: case
       type(roughness_t), intent(in) :: roughness
-      character(len=*), intent(in) :: number         !! as in `plan_surface`
       real(dp), intent(in) :: speed
       type(conditions_t), intent(in) :: conditions
       type(waviness_t), intent(out) :: waviness
@@ -76,14 +79,14 @@ contains
       real(dp) :: step_x_m, step_y_m
 
       digest = ''
-      key = '&surface'//number//' file'
+      key = roughness%group('surface')//' file'
       if (allocated(error)) return
       if (.not. conditions%has_dimensions) then
          call raise(error, key//' holds metres: give &conditions by dimensional data (radius_x_m, ...) in '// &
             'place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
       else if (.not. speed > 0) then
          call raise(error, key//' with slip_parameter = '//to_text(conditions%slip_parameter, 2)//': the surface '// &
-            'never enters the contact; give a slip_parameter '//merge('above 0', 'below 2', number == ''))
+            'never enters the contact; give a slip_parameter '//merge('above 0', 'below 2', roughness%surface == 1))
       end if
       if (.not. allocated(error)) call read_surface_file(trim(roughness%surface_file), height_m, step_x_m, step_y_m, &
                                                          error)

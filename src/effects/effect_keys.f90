@@ -15,8 +15,8 @@ module ehlwave_effect_keys
       procedure(follows), deferred, nopass :: follows
       procedure(visit), deferred :: visit
       procedure(is_given), deferred :: is_given
-      procedure(refuses), deferred, nopass :: refuses
-      procedure(changing), deferred :: changing
+      procedure, nopass :: refuses
+      procedure :: changing
       procedure, nopass :: finds_temperatures
       procedure, nopass :: empty_group
    end type effect_keys_t
@@ -41,21 +41,22 @@ module ehlwave_effect_keys
          class(effect_keys_t), intent(in) :: self
       end function is_given
 
-      !> Whether a method is not written for the effect.
-      pure logical function refuses(method)
-         integer, intent(in) :: method
-      end function refuses
-
-      !> Name of the part that changes in a march, so that more than waves moves the film; '': none.
-      pure function changing(self) result(name)
-         import :: effect_keys_t
-         class(effect_keys_t), intent(in) :: self
-         character(len=:), allocatable :: name
-      end function changing
-
    end interface
 
 contains
+
+   !> Whether a method is not written for the effect.
+   pure logical function refuses(method)
+      integer, intent(in) :: method
+      refuses = .false.
+   end function refuses
+
+   !> Name of the part that changes in a march, so that more than waves moves the film; '': none.
+   pure function changing(self) result(name)
+      class(effect_keys_t), intent(in) :: self
+      character(len=:), allocatable :: name
+      name = ''
+   end function changing
 
    !> Whether the effect finds temperatures, without which the contact is isothermal.
    pure logical function finds_temperatures()

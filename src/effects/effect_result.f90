@@ -20,7 +20,7 @@ module ehlwave_effect_result
    private
 
    ! Places of quantities and report lines.
-   integer, parameter, public :: after_film = 1, after_friction = 2
+   integer, parameter, public :: after_film = 1, after_friction = 2, after_waves = 3
 
    type, abstract, public :: effect_result_t
    contains

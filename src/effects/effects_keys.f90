@@ -3,16 +3,18 @@ module ehlwave_effects_keys
    use ehlwave_effect_keys, only: effect_keys_t
    use ehlwave_heat_keys, only: heat_keys_t
    use ehlwave_key_list, only: key_list_t
+   use ehlwave_second_surface_keys, only: second_surface_keys_t
    use ehlwave_starvation_keys, only: starvation_keys_t
    use ehlwave_touching_keys, only: touching_keys_t
    implicit none (type, external)
    private
 
-   integer, parameter, public :: effect_count = 3
+   integer, parameter, public :: effect_count = 4
 
    type, public :: effects_keys_t
       type(heat_keys_t) :: heat
       type(touching_keys_t) :: touching
+      type(second_surface_keys_t) :: second
       type(starvation_keys_t) :: starvation
    contains
       procedure :: effect
@@ -33,6 +35,7 @@ contains
       select case (k)
       case (1); one => self%heat
       case (2); one => self%touching
+      case (3); one => self%second
       case default; one => self%starvation
       end select
    end function effect

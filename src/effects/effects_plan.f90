@@ -9,6 +9,7 @@ module ehlwave_effects_plan
    use ehlwave_heat_plan, only: heat_plan_t
    use ehlwave_kinds, only: dp
    use ehlwave_quantity, only: quantity_list_t
+   use ehlwave_second_surface_plan, only: second_surface_plan_t
    use ehlwave_starvation_plan, only: starvation_plan_t
    use ehlwave_touching_plan, only: touching_plan_t
    implicit none (type, external)
@@ -18,6 +19,7 @@ module ehlwave_effects_plan
    type, public :: effects_plan_t
       type(heat_plan_t) :: heat
       type(touching_plan_t) :: touching
+      type(second_surface_plan_t) :: second
       type(starvation_plan_t) :: starvation
    contains
       procedure :: effect
@@ -47,6 +49,7 @@ contains
       select case (k)
       case (1); one => self%heat
       case (2); one => self%touching
+      case (3); one => self%second
       case default; one => self%starvation
       end select
    end function effect

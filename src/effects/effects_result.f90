@@ -16,6 +16,7 @@ module ehlwave_effects_result
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_rescue, only: rescue_t
+   use ehlwave_second_surface_result, only: second_surface_result_t
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_starvation_result, only: starvation_result_t
    use ehlwave_touching_result, only: touching_result_t
@@ -25,6 +26,7 @@ module ehlwave_effects_result
    type, public :: effects_result_t
       type(heat_result_t) :: heat
       type(touching_result_t) :: touching
+      type(second_surface_result_t) :: second
       type(starvation_result_t) :: starvation
    contains
       procedure :: effect
@@ -57,6 +59,7 @@ contains
       select case (k)
       case (1); one => self%heat
       case (2); one => self%touching
+      case (3); one => self%second
       case default; one => self%starvation
       end select
    end function effect

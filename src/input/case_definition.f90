@@ -1,32 +1,15 @@
 !> The input of a case: every key with its default. `case_keys` has their meaning and bounds.
 module ehlwave_case_definition
-   use ehlwave_case_key, only: name_length => choice_length
    use ehlwave_conditions, only: contact_data_t
    use ehlwave_effects_keys, only: effects_keys_t
    use ehlwave_kinds, only: dp
-   use ehlwave_number_table, only: path_length
    use ehlwave_oil, only: oil_t
+   use ehlwave_roughness, only: name_length, path_length, roughness_t
    implicit none (type, external)
    private
    public :: name_length, path_length
 
    real(dp), parameter :: no_ratio = huge(1.0_dp)        ! not given; 0 is a ratio
-
-   !> Roughness of a surface: waves, or measured heights.
-   type, public :: roughness_t
-      character(len=name_length) :: orientation = 'none'
-      real(dp) :: wavelength_over_a = 0                  !! shorter wavelength of a custom pattern, completed
-      real(dp) :: wavelength_x_over_a = 0, wavelength_y_over_a = 0   !! 0: no variation; completed
-      logical :: oblique = .false.
-      real(dp) :: amplitude_over_film = 0.2_dp           !! estimated where `amplitude_m` is given
-      real(dp) :: amplitude_m = 0                        !! 0: by the film
-      real(dp) :: phase_deg = 0                          !! of waves at rest whose surfaces may touch
-      character(len=path_length) :: surface_file = ''    !! measured surface in place of waviness
-   contains
-      procedure :: is_wavy
-      procedure :: is_measured
-      procedure :: varies_along
-   end type roughness_t
 
    !> All keys, in the order of the groups. The roughness belongs to the first surface, &waviness and &surface.
    type, extends(roughness_t), public :: case_t
@@ -40,8 +23,6 @@ module ehlwave_case_definition
       type(oil_t) :: oil
       ! &waviness
       character(len=name_length) :: response = 'transient'
-      ! &waviness2 and &surface2
-      type(roughness_t) :: second
       type(effects_keys_t) :: effects
       ! &grid
       real(dp) :: x_min = -2.5_dp, x_max = 1.5_dp, y_max = 2
@@ -81,6 +62,8 @@ module ehlwave_case_definition
    contains
       procedure :: is_pair
       procedure :: is_rough
+      procedure :: surfaces
+      procedure :: has_heights
       procedure :: has_ratio
       procedure :: has_linear_range
       procedure :: moves
@@ -93,42 +76,41 @@ module ehlwave_case_definition
 
 contains
 
-   !> Whether the surface has waves.
-   elemental logical function is_wavy(self)
-      class(roughness_t), intent(in) :: self
-      is_wavy = self%orientation /= 'none'
-   end function is_wavy
-
-   !> Whether its heights were measured.
-   elemental logical function is_measured(self)
-      class(roughness_t), intent(in) :: self
-      is_measured = self%surface_file /= ''
-   end function is_measured
-
-   !> Whether it varies along X.
-   elemental logical function varies_along(self)
-      class(roughness_t), intent(in) :: self
-      varies_along = self%is_measured() .or. (self%is_wavy() .and. self%orientation /= 'longitudinal')
-      if (self%orientation == 'custom') varies_along = self%wavelength_x_over_a > 0
-   end function varies_along
-
    !> Whether the second surface is rough, too.
    elemental logical function is_pair(self)
       class(case_t), intent(in) :: self
-      is_pair = self%second%is_wavy() .or. self%second%is_measured()
+      is_pair = self%effects%second%is_given()
    end function is_pair
+
+   !> Roughness of both surfaces; the second may be smooth.
+   pure function surfaces(self)
+      class(case_t), intent(in) :: self
+      type(roughness_t) :: surfaces(2)
+      surfaces = [self%roughness_t, self%effects%second%roughness]
+   end function surfaces
 
    !> Whether a surface is rough.
    elemental logical function is_rough(self)
       class(case_t), intent(in) :: self
-      is_rough = self%is_wavy() .or. self%is_measured() .or. self%is_pair()
+      associate (both => self%surfaces())
+         is_rough = any(both%is_rough())
+      end associate
    end function is_rough
+
+   !> Whether a surface has measured heights.
+   elemental logical function has_heights(self)
+      class(case_t), intent(in) :: self
+      associate (both => self%surfaces())
+         has_heights = any(both%is_measured())
+      end associate
+   end function has_heights
 
    !> Whether the gap changes in time: a pattern varies along X and its surface moves.
    elemental logical function moves(self)
       class(case_t), intent(in) :: self
-      moves = (self%varies_along() .and. self%slip_parameter > 0) .or. &
-              (self%second%varies_along() .and. self%slip_parameter < 2)
+      associate (both => self%surfaces())
+         moves = any(both%moves_at(self%slip_parameter))
+      end associate
    end function moves
 
    !> Whether there are time steps. Known when the slip is.
@@ -146,7 +128,7 @@ contains
    !> Whether the result is about waves, Ad/Ai; else it is about the film.
    elemental logical function has_ratio(self)
       class(case_t), intent(in) :: self
-      has_ratio = self%is_wavy() .and. .not. self%second%is_measured()
+      has_ratio = self%is_wavy() .and. .not. self%effects%second%roughness%is_measured()
    end function has_ratio
 
    !> Whether small waves of the case have an Ad/Ai of their own: waves of any size on touching surfaces do not.

@@ -59,7 +59,7 @@ contains
       call visit_conditions(case, list)
       call visit_oil_keys(case%oil, case%effects%are_warm(), list)
       call case%effects%visit('lubricant', list)
-      call visit_waviness(case%roughness_t, '', list)
+      call visit_waviness(case%roughness_t, 'Harmonic waves of one surface.', list)
       call list%see(case%phase_deg, key_t('phase_deg', 'phase of waves at rest; 0: smallest gap at X = 0', unit='deg', &
          minimum=-360.0_dp, maximum=360.0_dp, is_late=.true., when='waves at rest with &touching', &
          applies=case%effects%touching%is_given() .and. case%is_wavy() .and. .not. case%moves()))
@@ -69,10 +69,12 @@ contains
          "not find it, from the smooth contact, "// &
          "'harmonic': the linear response to small waves, without time steps, 'both': march and response", &
          choices='transient periodic harmonic both', counts=case%is_rough(), when='waves (orientation)'))
-      call visit_surface(case%roughness_t, '', list)
-      call visit_waviness(case%second, '2', list)
-      call visit_surface(case%second, '2', list)
-      call case%effects%visit('surface2', list)
+      call visit_surface(case%roughness_t, 'A measured surface in place of &waviness.', &
+         'surface written by `ehlwave surface`; it enters at x_min, moves with S and is followed until its '// &
+         'trailing end is at the contact centre, or end_time; needs dimensional conditions. The whole domain is '// &
+         'computed unless it is even in Y. With --output, surface_position_m is the x of the surface at '// &
+         'the centre for each film_at_centre', list)
+      call case%effects%visit('surface', list)
       call visit_grid(case, list)
       call visit_solver(case, list)
       call visit_dynamics(case, list)

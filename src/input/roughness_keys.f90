@@ -1,35 +1,32 @@
 !> The keys of groups &waviness and &surface, and of &waviness2 and &surface2: the roughness of each surface.
 module ehlwave_roughness_keys
-   use ehlwave_case_definition, only: path_length, roughness_t
    use ehlwave_case_key, only: key_t
    use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
+   use ehlwave_roughness, only: path_length, roughness_t
    implicit none (type, external)
    private
    public :: visit_surface, visit_waviness
 
 contains
 
-   !> The waves of a surface. The keys of surface 2 end in '_2', which their group may leave out.
-   subroutine visit_waviness(waves, number, list)
+   !> The waves of a surface. The keys of another surface than the first end in its number, which their
+   !> group may leave out.
+   subroutine visit_waviness(waves, help, list)
       type(roughness_t), intent(inout) :: waves
-      character(len=*), intent(in) :: number         !! number of the surface: '' is the first, '2'
+      character(len=*), intent(in) :: help           !! of the group
       type(key_list_t), intent(inout) :: list
-      character(len=:), allocatable :: one_length, orientation, tail
+      character(len=:), allocatable :: number, one_length, orientation, tail
       logical :: is_custom
 
       is_custom = waves%orientation == 'custom'
+      number = waves%number()
       tail = ending(number)
       orientation = 'orientation'//tail
       one_length = orientation//" = 'transverse', 'isotropic' or 'longitudinal' ('custom' takes wavelength_x_over_a"// &
          tail//' and wavelength_y_over_a'//tail//')'
-      if (number == '') then
-         call list%enter('waviness', 'Harmonic waves of one surface.')
-      else
-         call list%enter('waviness'//number, 'Harmonic waves of surface 2, whose speed is 2 - S; besides &waviness '// &
-            'or &surface. Names may leave out the _2 here.')
-         list%common%is_late = .true.
-      end if
+      call list%enter('waviness'//number, help)
+      list%common%is_late = number /= ''
       call see('orientation', 'orientation of the waves', waves%orientation, &
                key_t(choices='none transverse isotropic longitudinal custom'))
       call see('wavelength_over_a', 'wavelength lambda/a', waves%wavelength_over_a, &
@@ -65,26 +62,18 @@ contains
    end subroutine visit_waviness
 
    !> The file of measured heights of a surface.
-   subroutine visit_surface(heights, number, list)
+   subroutine visit_surface(heights, group_help, help, list)
       type(roughness_t), intent(inout) :: heights
-      character(len=*), intent(in) :: number         !! as in `visit_waviness`
+      character(len=*), intent(in) :: group_help, help   !! of the group and its key
       type(key_list_t), intent(inout) :: list
+      character(len=:), allocatable :: number
       type(key_t) :: key
 
+      number = heights%number()
       key = key_t(maximum=real(path_length, dp), file='surface'//ending(number), is_written=heights%is_measured())
-      if (number == '') then
-         call list%enter('surface', 'A measured surface in place of &waviness.')
-         call list%see(heights%surface_file, named(key, 'file', 'surface written by `ehlwave surface`; it '// &
-            'enters at x_min, moves with S and is followed until its trailing end is at the contact centre, or '// &
-            'end_time; needs dimensional conditions. The whole domain is computed unless it is even in Y. With '// &
-            '--output, surface_position_m is the x of the surface at the centre for each film_at_centre', &
-            number))
-      else
-         call list%enter('surface'//number, 'A measured surface 2 in place of &waviness2.')
-         list%common%is_late = .true.
-         call list%see(heights%surface_file, named(key, 'file', 'measured surface 2; as &surface file, with the '// &
-            'speed 2 - S. The march follows both to the end; surface_position_2_m is its x at the centre', number))
-      end if
+      call list%enter('surface'//number, group_help)
+      list%common%is_late = number /= ''
+      call list%see(heights%surface_file, named(key, 'file', help, number))
    end subroutine visit_surface
 
    !> A key of the table with its name and help; keys of other surfaces than the first have its number.
@@ -97,7 +86,7 @@ contains
       new%help = help
       if (number == '') return
       new%short = name
-      if (index(help, 'surface 2') == 0) new%help = 'of surface 2, '//help
+      if (index(help, 'surface '//number) == 0) new%help = 'of surface '//number//', '//help
    end function named
 
    !> How names end that belong to a surface.

@@ -10,7 +10,7 @@ module ehlwave_shear_stress
    implicit none (type, external)
    private
    public :: friction_at, friction_of, friction_outside, knows_stress, mean_shear_stress, node_gradient, oil_of_row, &
-      shear_stress, stress_at
+      shear_stress, stress_at, thickest_oil
 
    real(dp), parameter, public :: least_pressure = 1e-12_dp   !! P of nodes that bear; solvers leave 1e-30 at some
                                                               !! cavitated nodes
@@ -51,6 +51,20 @@ contains
       call shear_stress(problem, state, stress, b, factor_x, factor_y)
       friction_at = friction_of(problem%grid, stress, state%p, 0.0_dp)
    end function friction_at
+
+   !> Largest viscosity over the ambient viscosity.
+   real(dp) function thickest_oil(problem, state)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      real(dp), dimension(0:problem%grid%nx) :: drho, fluidity, rho
+      type(across_film_t), allocatable :: across
+      integer :: j
+      thickest_oil = 0
+      do j = 0, problem%grid%ny
+         call oil_of_row(problem, state, j, rho, drho, fluidity, across)
+         thickest_oil = max(thickest_oil, 1/minval(fluidity))
+      end do
+   end function thickest_oil
 
    !> Friction of the oil that floods the contact outside the domain, out to `times` its size, theory eq. (T11), from
    !> the far field without gradients. Dry edges reduce it in proportion.

@@ -1,15 +1,13 @@
 !> The result of one case without its effects. Values are NaN until they are computed.
 module ehlwave_bare_result
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_contact_variant, only: variable_length
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_field_history, only: field_history_t
-   use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp, no_value
-   use ehlwave_pair_result, only: pair_result_t
    use ehlwave_rolling_result, only: rolling_result_t
    use ehlwave_shear_result, only: shear_result_t
    use ehlwave_status, only: status_pending
+   use ehlwave_surface_result, only: surface_result_t
    implicit none (type, external)
    private
 
@@ -34,7 +32,8 @@ module ehlwave_bare_result
       real(dp) :: of(gradients) = no_value
    end type gradient_t
 
-   type, public :: bare_result_t
+   !> The results of the first surface, and all others.
+   type, extends(surface_result_t), public :: bare_result_t
       integer :: status = status_pending
       logical :: is_resolved = .true.
       character(len=:), allocatable :: message       !! why not converged or not resolved, else empty
@@ -56,21 +55,17 @@ module ehlwave_bare_result
       type(error_parts_t) :: film_errors = error_parts_t(mesh=no_value)    !! parts of the error of H(0,0)
       type(error_parts_t) :: ratio_errors = error_parts_t(mesh=no_value)   !! parts of the error of Ad/Ai
       real(dp) :: error_estimate = no_value          !! sum of the parts of the main quantity
+      real(dp) :: overtone_error = 0                 !! relative error of Ad/Ai by overtones of another surface's waves
       real(dp) :: settling = 0                       !! relative error of Ad/Ai by its change since the period
                                                      !! before
       integer :: refinements = 0                     !! runs on finer grids than the first, for an accuracy
       ! waviness
       real(dp) :: amplitude_ratio = no_value         !! Ad/Ai by theory eq. (14)
-      real(dp) :: amplitude_ratio_fit = no_value     !! Ad/Ai by harmonic fit
-      real(dp) :: phase_fit = no_value               !! radian by which H(0,0) follows the pattern there, by harmonic
-                                                     !! fit
       real(dp) :: mean_film = no_value               !! mean of H(0,0) over the measured periods
       character(len=8) :: route = ''                 !! origin of the film: a march from 'rest', or a march started in
                                                      !! 'waves'
       real(dp) :: v = 0, v2 = 0, f_r = 0             !! theory eq. (17), (16), (15)
       real(dp) :: formula_ratio = 0                  !! theory eq. (18)
-      type(harmonic_result_t) :: harmonic            !! linear response, if asked for
-      type(pair_result_t) :: pair                    !! results of the second rough surface, and of both
       type(oil_sensitivity_t) :: by_oil(2)           !! by ln(alpha), by ln(stress of the flow law)
       type(gradient_t), allocatable :: by_key(:)     !! by each variable, if asked for
       integer :: transposed_solves = 0               !! transposed linear solves of the derivatives
@@ -98,22 +93,10 @@ module ehlwave_bare_result
       real(dp), allocatable :: residual_history(:)  !! residuals of the failed solution: before each step and at the end
       ! history of the contact centre: times T, or phases over 2 pi for standing patterns
       real(dp), allocatable :: time(:), film_history(:), approach_history(:)
-      real(dp), allocatable :: surface_position(:)   !! position on a measured surface, at the contact centre, m
       ! fields of the last solution, if asked for
       real(dp), allocatable :: x(:), y(:), p(:, :), h(:, :)
       real(dp), allocatable :: shear_stress_pa(:, :) !! mean of the shear stresses at the two surfaces along X, if known
       type(field_history_t) :: history               !! fields over time, if asked for
-   contains
-      procedure :: response_error
    end type bare_result_t
-
-contains
-
-   !> Relative error of the linear response by the mesh, the larger error of two surfaces.
-   pure real(dp) function response_error(self)
-      class(bare_result_t), intent(in) :: self
-      response_error = self%harmonic%error
-      if (ieee_is_finite(self%pair%harmonic%error)) response_error = max(response_error, self%pair%harmonic%error)
-   end function response_error
 
 end module ehlwave_bare_result

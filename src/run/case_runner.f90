@@ -21,11 +21,13 @@ module ehlwave_case_runner
    use ehlwave_resolution, only: add_reason, closing_reason, touching_reason
    use ehlwave_periodic_case, only: find_periodic_state
    use ehlwave_rescue, only: rescue_t, rung_name
+   use ehlwave_roughness, only: roughness_t
    use ehlwave_sensitivity_case, only: find_smooth_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
    use ehlwave_shear_stress, only: mean_shear_stress
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_unresolved
+   use ehlwave_surface_result, only: surface_result_t
    use ehlwave_text, only: to_text
    use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
    implicit none (type, external)
@@ -167,11 +169,17 @@ contains
    !> Warn where waves in time and small waves, both computed, differ in response.
    subroutine compare_with_small_waves(case, result)
       type(case_t), intent(in) :: case
-      type(case_result_t), intent(inout) :: result
+      type(case_result_t), intent(inout), target :: result
+      type(roughness_t) :: waves(2)
+      type(surface_result_t), pointer :: surface
+      integer :: n
       if (case%effects%changing() /= '') return     ! the response is that before
-      call compare('waves of ', case%amplitude_over_film, result%amplitude_ratio_fit, result%harmonic%ratio)
-      call compare('waves on surface 2 of ', case%second%amplitude_over_film, result%pair%ratio_fit, &
-                   result%pair%harmonic%ratio)
+      waves = case%surfaces()
+      do n = 1, size(waves)
+         surface => result%surface(n)
+         call compare(trim(merge('waves             ', 'waves on surface 2', n == 1))//' of ', &
+                      waves(n)%amplitude_over_film, surface%amplitude_ratio_fit, surface%harmonic%ratio)
+      end do
 
    contains
 

@@ -11,6 +11,8 @@ module ehlwave_error_account
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: is_beyond_linear, linear_limit_text
    use ehlwave_planned_case, only: case_plan_t
+   use ehlwave_roughness, only: roughness_t
+   use ehlwave_surface_result, only: surface_result_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -33,7 +35,7 @@ contains
                                          algebraic=case%tolerance &
                                          *merge(multigrid_share, steady_share, case%method == 'fas'))
       if (case%method == 'fas') result%minimum_film_error = result%minimum_film_error + smallest_share*case%tolerance
-      if (any(ieee_is_finite([result%amplitude_ratio_fit, result%pair%ratio_fit]))) then
+      if (any(ieee_is_finite(result%ratios(2)))) then
          result%ratio_errors = errors_in_time(case, plan, result)
       else if (ieee_is_finite(result%harmonic%ratio)) then
          result%ratio_errors = error_parts_t(mesh=result%response_error(), domain=plan%domain_error, &
@@ -47,19 +49,25 @@ contains
    function errors_in_time(case, plan, result) result(parts)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      type(case_result_t), intent(in) :: result
+      type(case_result_t), intent(in), target :: result
       type(error_parts_t) :: parts
+      type(surface_result_t), pointer :: surface
+      real(dp) :: difference
+      integer :: n
 
       parts = plan%expected
       parts%settling = result%settling
       if (plan%steps > 0) parts%algebraic = expected_step_error(case%step_tolerance)
       if (result%amplitude_error_basis /= '') &
          parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)
-      if (ieee_is_finite(result%amplitude_ratio_fit/result%harmonic%ratio) .and. case%effects%changing() == '') &
-         parts%amplitude = abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1)
-      if (ieee_is_finite(result%pair%ratio_fit/result%pair%harmonic%ratio)) &
-         parts%amplitude = max(parts%amplitude, abs(result%pair%ratio_fit/result%pair%harmonic%ratio - 1))
-      parts%amplitude = max(parts%amplitude, result%pair%overtone_error)
+      if (case%effects%changing() == '') then        ! else the response is that before
+         do n = 1, 2
+            surface => result%surface(n)
+            difference = abs(surface%amplitude_ratio_fit/surface%harmonic%ratio - 1)
+            if (ieee_is_finite(difference)) parts%amplitude = max(difference, merge(parts%amplitude, 0.0_dp, n > 1))
+         end do
+      end if
+      parts%amplitude = max(parts%amplitude, result%overtone_error)
    end function errors_in_time
 
    !> The sum, without the domain where its edges are truncated: that is the problem as it was asked for.
@@ -94,15 +102,18 @@ contains
       type(case_plan_t), intent(in) :: plan
       character(len=*), intent(in), optional :: warning   !! warning of the result
       character(len=:), allocatable :: ahead, text
+      type(roughness_t) :: both(2)
 
       text = 'edges '//trim(case%edges)
       if (case%edges == 'truncated') text = text//' (P = 0, film '//to_text(100*plan%film_domain_error, 2)// &
          ' % too thin)'
       if (case%has_linear_range()) then
          text = text//'; waves respond linearly up to Ai = '//linear_limit_text(case)
-         if (is_beyond_linear(case)) text = text//', asked for '//to_text(100*case%amplitude_over_film, 3)//' %'
-         if (is_beyond_linear(case) .and. case%is_pair()) text = text//' and '// &
-            to_text(100*case%second%amplitude_over_film, 3)//' %'
+         if (is_beyond_linear(case)) then
+            both = case%surfaces()
+            text = text//', asked for '//to_text(100*both(1)%amplitude_over_film, 3)//' %'
+            if (both(2)%is_rough()) text = text//' and '//to_text(100*both(2)%amplitude_over_film, 3)//' %'
+         end if
       end if
       if (.not. plan%resolution%is_resolved) text = text//'; not resolved'
       if (present(warning)) then

@@ -63,8 +63,9 @@ contains
       end if
       call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
-      if (.not. any(ieee_is_finite(ratios_of(plan, result)))) return
-      call take_ratio_error(plan, reshape(ratios_of(plan, result), [size(plan%surfaces%list), 1]), result)
+      if (.not. any(ieee_is_finite(result%ratios(size(plan%surfaces%list))))) return
+      call take_ratio_error(plan, reshape(result%ratios(size(plan%surfaces%list)), &
+                            [size(plan%surfaces%list), 1]), result)
       if (case%error_estimate /= 'coarse_grid') return
 
       call coarse_ratios(case, plan, monitor, result, ratios, seconds, status)
@@ -76,7 +77,7 @@ contains
       result%work_units = result%work_units*(1 + seconds/result%seconds)
       result%seconds = result%seconds + seconds
       result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
-      call take_ratio_error(plan, reshape([ratios_of(plan, result), ratios], &
+      call take_ratio_error(plan, reshape([result%ratios(size(plan%surfaces%list)), ratios], &
                                           [size(ratios, 1), size(ratios, 2) + 1]), result)
    end subroutine run_estimated_case
 
@@ -102,15 +103,6 @@ contains
       result%amplitude_ratio_error = largest + result%effects%film_error() + plan%expected%time &
                                      + plan%expected%algebraic
    end subroutine take_ratio_error
-
-   !> Ad/Ai of each surface.
-   pure function ratios_of(plan, result) result(ratios)
-      type(case_plan_t), intent(in) :: plan
-      type(case_result_t), intent(in) :: result
-      real(dp) :: ratios(size(plan%surfaces%list))
-      ratios = result%pair%ratio_fit
-      ratios(1) = result%amplitude_ratio_fit
-   end function ratios_of
 
    !> Ad/Ai of the same case on grids of two and four times the mesh size, as far as they converge and are not
    !> hopelessly coarse, and as long as the monitor lets them go on.
@@ -158,7 +150,7 @@ contains
          seconds = seconds + coarse_result%seconds
          status = coarse_result%status
          if (.not. is_success(status)) return
-         ratios = reshape([ratios, ratios_of(plan, coarse_result)], [size(ratios, 1), size(ratios, 2) + 1])
+         ratios = reshape([ratios, coarse_result%ratios(size(ratios, 1))], [size(ratios, 1), size(ratios, 2) + 1])
       end do
    end subroutine coarse_ratios
 

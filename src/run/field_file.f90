@@ -6,14 +6,13 @@ module ehlwave_field_file
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t
    use ehlwave_field_history, only: field_history_t
-   use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_hdf5_file, only: hdf5_file_t
-   use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_provenance_list, only: add_provenance
    use ehlwave_quantities, only: add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: write_quantities
+   use ehlwave_response_fields, only: write_response
    implicit none (type, external)
    private
    public :: write_case_file, write_provenance
@@ -45,9 +44,6 @@ contains
             call file%write('film_at_centre', result%film_history, '1', 'H(0,0)', 'time')
             if (allocated(result%surface_position)) call file%write('surface_position_m', result%surface_position, &
                'm', 'x on the surface, as in its file, that is at the contact centre', 'time')
-            if (allocated(result%pair%surface_position)) call file%write('surface_position_2_m', &
-               result%pair%surface_position, 'm', 'x on surface 2, as in its file, that is at the contact centre', &
-               'time')
             if (allocated(result%approach_history)) &
                call file%write('approach', result%approach_history, '1', 'mutual approach Delta', 'time')
          end if
@@ -65,32 +61,8 @@ contains
       call result%effects%write_fields(file)
       if (allocated(result%history%p)) call write_history(file, result%history)
       call write_response(file, result%harmonic, '')
-      call write_response(file, result%pair%harmonic, '_2')
       call file%finish(error)
    end subroutine write_case_file
-
-   !> Fields of the linear response to the waves of a surface, and the waves in each row, where they were asked for.
-   subroutine write_response(file, harmonic, number)
-      type(hdf5_file_t), intent(inout) :: file
-      type(harmonic_result_t), intent(in) :: harmonic
-      character(len=*), intent(in) :: number         !! suffix of names: '' for the first surface, '_2'
-
-      if (.not. allocated(harmonic%h)) return
-      call file%write('film_response'//number, abs(harmonic%h), '1', 'amplitude of H over Ai, small waves', 'x', 'y')
-      call file%write('film_phase'//number, atan2(aimag(harmonic%h), real(harmonic%h)), 'rad', &
-                      'phase of H, exp(-i w T) with a crest of the pattern at the origin at T = 0', 'x', 'y')
-      call file%write('pressure_response'//number, abs(harmonic%p), '1', 'amplitude of P over Ai, small waves', 'x', &
-         'y')
-      call file%write('pressure_phase'//number, atan2(aimag(harmonic%p), real(harmonic%p)), 'rad', 'phase of P', 'x', &
-         'y')
-      if (.not. allocated(harmonic%waves%rows)) return
-      associate (row => harmonic%waves%rows)
-         call write_complex(file, 'attenuated_by_row'//number, row%fit%attenuated, &
-            'wave that moves with the surface over Ai')
-         call write_complex(file, 'complementary_by_row'//number, row%fit%complementary, &
-            'wave that moves with the oil over Ai')
-      end associate
-   end subroutine write_response
 
    !> Fields of a march over time.
    subroutine write_history(file, history)
@@ -105,15 +77,6 @@ contains
          history%shear_stress_pa, 'Pa', &
          'mean of the shear stresses at the two surfaces along x, over time', 'x', 'y', 'field_time')
    end subroutine write_history
-
-   !> A complex number for each row as two data sets.
-   subroutine write_complex(file, name, values, long_name)
-      type(hdf5_file_t), intent(inout) :: file
-      character(len=*), intent(in) :: name, long_name
-      complex(dp), intent(in) :: values(:)
-      call file%write(name//'_real', real(values, dp), '1', long_name//', real part', 'y')
-      call file%write(name//'_imaginary', aimag(values), '1', long_name//', imaginary part', 'y')
-   end subroutine write_complex
 
    !> Attributes that name the program and its build.
    subroutine write_provenance(file)

@@ -11,11 +11,11 @@ module ehlwave_harmonic_case
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, mean_change_t
    use ehlwave_mesh_errors, only: kind_of, mesh_error, mesh_error_t
-   use ehlwave_pair_responses, only: take_pair_responses
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_sensitivity_case, only: find_response_sensitivities
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged, status_name
+   use ehlwave_surface_result, only: surface_result_t
    use ehlwave_text, only: to_text
    use ehlwave_two_wave_result, only: new_two_wave_result
    use ehlwave_waviness, only: waviness_t
@@ -31,10 +31,11 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(shared_steady_t), intent(inout) :: steady
-      type(case_result_t), intent(inout) :: result
+      type(case_result_t), intent(inout), target :: result
       type(harmonic_response_t) :: responses(size(plan%surfaces%list))
       type(mean_change_t) :: means(size(plan%surfaces%list))
       type(harmonic_result_t) :: harmonic
+      type(surface_result_t), pointer :: surface
       real(dp) :: work_before
       integer :: n
 
@@ -42,17 +43,16 @@ contains
       do n = 1, size(responses)
          harmonic = harmonic_result_t()
          call run_response(case, plan, n, steady, result, harmonic, responses(n), means(n))
-         if (n == 1) result%harmonic = harmonic
-         if (n == 2) result%pair%harmonic = harmonic
+         surface => result%surface(n)
+         surface%harmonic = harmonic
          if (result%status /= status_converged) return
       end do
       if (size(responses) == 1) return
       work_before = steady%multigrid%work()
-      call take_pair_responses(result%pair, plan%surfaces, result%central_film, steady, responses, means)
+      call result%effects%second%take_responses(plan%surfaces, result%central_film, steady%response%tangent, &
+         steady%multigrid%levels, responses, means)
       result%work = result%work + steady%multigrid%work() - work_before
-      if (.not. allocated(result%pair%surfaces_touch)) return
-      if (result%pair%surfaces_touch) call add_warning(result, 'the waves of both surfaces together would touch, '// &
-         'to second order: there is no smallest_film_both')
+      call add_warning(result, result%effects%second%touching_text())
    end subroutine run_responses
 
    !> Response to waves about the linearised steady state of a case and, for the error estimate, on the grid with twice

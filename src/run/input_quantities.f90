@@ -27,7 +27,9 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(key_list_t) :: keys
-      integer :: i
+      character(len=19), parameter :: of_waves(3) = [character(len=19) :: 'orientation', 'wavelength_x_over_a', &
+                                                     'wavelength_y_over_a']
+      integer :: i, n
 
       keys = case_key_list(case)
       associate (c => plan%conditions)
@@ -52,9 +54,9 @@ contains
       end do
       call add_key(list, keys, 'wavelength_x_over_a')
       call add_key(list, keys, 'wavelength_y_over_a')
-      call add_key(list, keys, 'orientation_2', case%is_pair())
-      call add_key(list, keys, 'wavelength_x_over_a_2', case%is_pair())
-      call add_key(list, keys, 'wavelength_y_over_a_2', case%is_pair())
+      do n = 1, size(of_waves)
+         call add_key(list, keys, trim(of_waves(n))//'_2', case%is_pair())
+      end do
       call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
       call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
       call add_key(list, keys, 'edges')

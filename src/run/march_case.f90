@@ -19,6 +19,7 @@ module ehlwave_march_case
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_status, only: status_converged, status_interrupted, status_name
    use ehlwave_surface_plan, only: surface_positions
+   use ehlwave_surface_result, only: surface_result_t
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    use ehlwave_time_march, only: march_t, steps_per_stretch
@@ -87,12 +88,13 @@ contains
       type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
       type(energy_t), intent(inout) :: energy  !! energy equation of the steady state; of the last time step, if marched
-      type(case_result_t), intent(inout) :: result
+      type(case_result_t), intent(inout), target :: result
       class(march_keeper_t), intent(inout), optional :: keeper
       type(march_t) :: march
       type(march_result_t) :: history
       character(len=:), allocatable :: changing
-      integer :: finest
+      type(surface_result_t), pointer :: surface
+      integer :: finest, n
       logical :: keeps
 
       finest = size(multigrid%levels)
@@ -140,9 +142,10 @@ contains
             to_text(multigrid%levels(finest)%report%load_error, 3)
       else if (plan%surfaces%is_measured()) then
          associate (list => plan%surfaces%list, a_m => plan%conditions%a_m)
-            if (allocated(list(1)%surface)) result%surface_position = surface_positions(list(1), a_m, result%time)
-            if (allocated(list(size(list))%surface) .and. size(list) > 1) &
-               result%pair%surface_position = surface_positions(list(2), a_m, result%time)
+            do n = 1, size(list)
+               surface => result%surface(n)
+               if (allocated(list(n)%surface)) surface%surface_position = surface_positions(list(n), a_m, result%time)
+            end do
          end associate
          if (plan%first_sample < history%steps) &
             result%mean_film = sum(result%film_history(plan%first_sample + 1:))/(history%steps - plan%first_sample + 1)
@@ -168,9 +171,10 @@ contains
       type(march_result_t), intent(in) :: history
       integer, intent(in) :: first
       real(dp), intent(in) :: crest                   !! X where the patterns had a crest at T = 0
-      type(case_result_t), intent(inout) :: result    !! with the smooth film
+      type(case_result_t), intent(inout), target :: result    !! with the smooth film
       complex(dp) :: parts(size(plan%surfaces%list))
-      real(dp) :: heights(size(plan%surfaces%list))    ! over the film
+      real(dp), dimension(size(plan%surfaces%list)) :: heights, ratios   ! heights over the film
+      type(surface_result_t), pointer :: surface
       integer :: n
 
       associate (film => history%central_film(first:history%steps), time => history%time(first:history%steps), &
@@ -181,14 +185,14 @@ contains
          do n = 1, size(list)
             parts(n) = parts(n)/list(n)%amplitude(result%central_film)
          end do
-         result%amplitude_ratio_fit = abs(parts(1))
+         ratios = abs(parts)
          ! the pattern at the centre is cos(kx (-crest - S T)): the real part of exp(-i (kx crest + w T)) for S > 0
          parts = parts*exp(cmplx(0, 2*pi*crest/list%wavelength_x, dp))
-         result%phase_fit = atan2(aimag(parts(1)), real(parts(1), dp))
-         if (size(list) > 1) then
-            result%pair%ratio_fit = abs(parts(2))
-            result%pair%phase_fit = atan2(aimag(parts(2)), real(parts(2), dp))
-         end if
+         do n = 1, size(list)
+            surface => result%surface(n)
+            surface%amplitude_ratio_fit = ratios(n)
+            surface%phase_fit = atan2(aimag(parts(n)), real(parts(n), dp))
+         end do
          result%mean_film = fitted_mean(time(2:), film(2:), resolved_periods(surfaces, time(2) - time(1)))
          call judge_overtones(surfaces, heights, time(2) - time(1), result)
          if (.not. (surfaces%are_apart() .or. surfaces%are_one())) call add_warning(result, 'the waves of both '// &
@@ -201,20 +205,21 @@ contains
       type(surfaces_t), intent(in) :: surfaces
       real(dp), intent(in) :: heights(:)              !! heights of the waves in the film, over the film
       real(dp), intent(in) :: time_step
-      type(case_result_t), intent(inout) :: result
+      type(case_result_t), intent(inout), target :: result
       real(dp), parameter :: largest = 0.5_dp         ! error from which on nothing is known of the wave
       real(dp) :: error
+      type(surface_result_t), pointer :: surface
       integer :: n
 
       do n = 1, size(heights)
          error = overtone_error(surfaces, n, heights, time_step)
-         result%pair%overtone_error = max(result%pair%overtone_error, error)
+         result%overtone_error = max(result%overtone_error, error)
          if (.not. error > largest) cycle
          call add_warning(result, 'no Ad/Ai of surface '//to_text(n)//': overtones of the larger waves may have '// &
             'its frequency and height; take another wavelength, smaller waves on the other surface, or '// &
             "response = 'harmonic'")
-         if (n == 1) result%amplitude_ratio_fit = no_value
-         if (n == 2) result%pair%ratio_fit = no_value
+         surface => result%surface(n)
+         surface%amplitude_ratio_fit = no_value
       end do
    end subroutine judge_overtones
 

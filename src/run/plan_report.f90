@@ -8,6 +8,7 @@ module ehlwave_plan_report
    use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_smooth, run_standing
    use ehlwave_resolution, only: flooded_inlet_gap
+   use ehlwave_roughness, only: roughness_t
    use ehlwave_scheme_choice, only: averaged_cells
    use ehlwave_surface_plan, only: surface_text
    use ehlwave_text, only: to_text
@@ -26,6 +27,7 @@ contains
       type(case_plan_t), intent(in) :: plan
 
       character(len=:), allocatable :: shortage
+      type(roughness_t) :: both(2)
 
       associate (c => plan%conditions)
          write (unit, '(a)') 'Conditions   M = '//to_text(c%m, 6)//', L = '//to_text(c%l, 6)//', D = '// &
@@ -50,9 +52,10 @@ contains
          if (extrapolation_text(case, plan%rheology, 1.0_dp) /= '') write (unit, '(a)') '             WARNING: '// &
             extrapolation_text(case, plan%rheology, 1.0_dp)
          call plan%effects%print(unit, case, plan%bare_plan_t)
-         write (unit, '(a)') 'Waviness     '//surface_text(case%roughness_t, plan%surfaces%list(1), c)
-         if (case%is_pair()) write (unit, '(a)') '  surface 2  '// &
-            surface_text(case%second, plan%surfaces%list(2), c)//', speed 2 - S = '//to_text(2 - c%slip_parameter, 6)
+         both = case%surfaces()
+         write (unit, '(a)') 'Waviness     '//surface_text(both(1), plan%surfaces%list(1), c)
+         if (case%is_pair()) write (unit, '(a)') '  surface 2  '//surface_text(both(2), plan%surfaces%list(2), c)// &
+            ', speed 2 - S = '//to_text(2 - c%slip_parameter, 6)
          if (is_beyond_linear(case)) &
             write (unit, '(a)') '             WARNING: such waves may respond unlike small waves: take Ai '// &
             '(amplitude_over_film) below '//linear_limit_text(case)//', or compare by response = ''both'''

@@ -8,7 +8,7 @@ module ehlwave_quantities
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_effect_result, only: after_film, after_friction
+   use ehlwave_effect_result, only: after_film, after_friction, after_waves
    use ehlwave_effects_keys, only: effect_count
    use ehlwave_effects_plan, only: error_help, error_name
    use ehlwave_error_account, only: validity_text
@@ -20,7 +20,7 @@ module ehlwave_quantities
    use ehlwave_rolling_result, only: rolling_result_t
    use ehlwave_sensitivity_quantities, only: add_sensitivities
    use ehlwave_status, only: status_name
-   use ehlwave_wave_quantities, only: add_pair, add_response
+   use ehlwave_wave_quantities, only: add_response
    implicit none (type, external)
    private
    public :: add_result
@@ -77,7 +77,7 @@ contains
       call list%add('validity', 'range of validity: edges, linear range, warnings', &
                     validity_text(case, plan, result%warning))
       call add_response(list, result%harmonic, '', .true.)
-      call add_pair(list, case%is_pair(), result%pair)
+      call result%effects%add_quantities(after_waves, list, case, plan)
       call add_sensitivities(list, case, result)
       call add_formulas(list, result)
       call add_effort(list, result)

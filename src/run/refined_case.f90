@@ -121,7 +121,7 @@ contains
       else if (ieee_is_finite(result%amplitude_ratio_fit)) then
          is_measured = result%amplitude_error_basis /= 'model' .or. case%error_estimate == 'model'
       else
-         is_measured = result%harmonic%error_basis /= 'model' .and. result%pair%harmonic%error_basis /= 'model'
+         is_measured = all([result%harmonic%error_basis, result%effects%second%surface%harmonic%error_basis] /= 'model')
       end if
    end function is_measured
 

@@ -3,7 +3,7 @@ module ehlwave_result_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_effect_result, only: after_film, after_friction
+   use ehlwave_effect_result, only: after_film, after_friction, after_waves
    use ehlwave_error_account, only: error_asked_for, errors_text, validity_text
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
@@ -24,6 +24,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
+      real(dp) :: ratios(2)
 
       write (unit, '(a)') 'Status       '//status_name(result%status)
       if (len(result%message) > 0) write (unit, '(a)') '             '//result%message
@@ -42,13 +43,13 @@ contains
          if (ieee_is_finite(result%amplitude_ratio)) write (unit, '(a)') 'Amplitude    Ad/Ai = '// &
             to_text(result%amplitude_ratio, 5)//' (samples), '// &
             to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit)'//formula()
-         if (case%is_pair() .and. any(ieee_is_finite([result%amplitude_ratio_fit, result%pair%ratio_fit]))) &
-            write (unit, '(a)') 'Amplitudes   Ad/Ai = '//shown(result%amplitude_ratio_fit)//' of surface 1, '// &
-            shown(result%pair%ratio_fit)//' of surface 2 (harmonic fit)'
+         ratios = result%ratios(2)
+         if (case%is_pair() .and. any(ieee_is_finite(ratios))) write (unit, '(a)') 'Amplitudes   Ad/Ai = '// &
+            shown(ratios(1))//' of surface 1, '//shown(ratios(2))//' of surface 2 (harmonic fit)'
          if (plan%responds) call print_response('Response     Ad/Ai = ', result%harmonic)
-         if (plan%responds .and. case%is_pair()) call print_response('  surface 2  Ad/Ai = ', result%pair%harmonic)
-         if (ieee_is_finite(result%pair%film_rms)) write (unit, '(a)') '  both       rms of H(0,0) over its mean '// &
-            to_text(result%pair%film_rms, 4)//', phases free'
+         if (plan%responds .and. case%is_pair()) call print_response('  surface 2  Ad/Ai = ', &
+            result%effects%second%surface%harmonic)
+         call result%effects%print(after_waves, unit, plan)
          if (ieee_is_finite(result%v)) write (unit, '(a)') '             f(r) V = '// &
             to_text(result%f_r*result%v, 5)//', f(r) V2 = '//to_text(result%f_r*result%v2, 5)//', f(r) = '// &
             to_text(result%f_r, 5)
@@ -148,14 +149,17 @@ contains
       end subroutine print_response
 
       subroutine print_shear()
+         character(len=:), allocatable :: contact
          associate (r => result%shear)
             if (ieee_is_finite(r%friction_coefficient)) write (unit, '(a)') 'Friction     coefficient '// &
                to_text(r%friction_coefficient, 5)//largest_b()
             if (ieee_is_finite(result%rolling%coefficient)) call print_rolling()
             call result%effects%print(after_friction, unit, plan)
             if (ieee_is_finite(r%inlet%rise_k) .and. .not. case%effects%are_warm()) then
+               contact = ''
+               if (ieee_is_finite(r%contact_rise_k)) contact = ', contact '//to_text(r%contact_rise_k, 2)//' K'
                write (unit, '(a)') '             estimated temperature rise: inlet '//to_text(r%inlet%rise_k, 2)// &
-                  ' K, contact '//to_text(r%contact_rise_k, 2)//' K (the model is isothermal)'
+                  ' K'//contact//' (the model is isothermal)'
             end if
          end associate
          if (result%warning /= '') write (unit, '(a)') 'Warning      '//result%warning

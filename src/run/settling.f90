@@ -124,8 +124,7 @@ contains
          last = plan%first_sample + nint((surfaces%window() - longest)/plan%dt)
          if (first < 0) return
          parts = wave_parts(surfaces, result%central_film, history%time(first:last), history%central_film(first:last))
-         ratios(1) = result%amplitude_ratio_fit
-         ratios(2:) = result%pair%ratio_fit
+         ratios = result%ratios(size(ratios))
          change = maxval([(abs(abs(parts(n))/(ratios(n)*surfaces%list(n)%amplitude(result%central_film)) - 1), &
                            n=1, size(parts))])
       end associate

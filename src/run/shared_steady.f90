@@ -67,7 +67,7 @@ contains
 
       bare = case
       bare%orientation = 'none'
-      bare%second = defaults%second
+      bare%effects%second = defaults%effects%second
       if (plan%rheology%is_newtonian() .and. .not. case%effects%are_warm()) &
          bare%slip_parameter = defaults%slip_parameter   ! else slip thins or warms the oil
       bare%load_balance = defaults%load_balance

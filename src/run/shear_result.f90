@@ -5,16 +5,19 @@ module ehlwave_shear_result
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_inlet_law, only: inlet_t
    use ehlwave_kinds, only: dp, no_value, pi
-   use ehlwave_shear_stress, only: friction_of, knows_stress, least_pressure, shear_stress
+   use ehlwave_shear_stress, only: friction_of, knows_stress, least_pressure, shear_stress, thickest_oil
    use ehlwave_state, only: state_t
    use ehlwave_text, only: to_text
    use ehlwave_thermal_estimate, only: film_rise_k, surface_rise_k, thermal_data_t, warm_inlet, warm_inlet_t
    implicit none (type, external)
    private
+   public :: is_impossible
 
    !> Unknown values are NaN: friction without E' or pressure, temperatures without lengths.
    type, public :: shear_result_t
       real(dp) :: friction_coefficient = no_value   !! above 0 where surface 1, the wavy surface, is faster
+      real(dp) :: dropped = no_value                !! friction coefficient that no oil has, and that is not given
+      real(dp) :: thickest = no_value               !! largest viscosity over the ambient viscosity there
       real(dp) :: cancellation = 1                  !! friction by stresses of equal sign, over it
       real(dp) :: largest_b = no_value              !! largest |B| where P > 0; NaN of a Newtonian oil
       real(dp) :: tangent_factor(2) = no_value      !! at the centre, along X and along Y; 1 of a Newtonian oil
@@ -24,10 +27,12 @@ module ehlwave_shear_result
    contains
       procedure :: take
       procedure :: warning
-      procedure, private :: estimate_temperatures
+      procedure :: drop_impossible
+      procedure :: estimate_temperatures
    end type shear_result_t
 
    real(dp), parameter :: usual_limit = 0.08_dp     !! largest |tau|/p that oils bear
+   real(dp), parameter :: most_friction = 1         !! friction coefficient above that of any oil
    real(dp), parameter :: much_load = 0.01_dp       ! least share beyond the limit,
    real(dp), parameter :: thin_film = 0.98_dp       ! least film factor of the inlet,
    real(dp), parameter :: warm_contact_k = 10       ! viscosity falls by a third: reason for a warning
@@ -60,6 +65,7 @@ contains
          self%share_beyond_limit = &
             grid%integral(merge(state%p, 0.0_dp, abs(stress) > usual_limit*state%p)) &
             /grid%integral(state%p)
+         call self%drop_impossible(problem, state)
          if (c%has_dimensions) call self%estimate_temperatures(c, grid%value_at_centre(state%h))
       end associate
    end subroutine take
@@ -91,6 +97,26 @@ contains
       end associate
    end subroutine estimate_temperatures
 
+   !> Whether no oil has a friction coefficient. Also for viscosities above 1e12 Pa s, at which oils are glass: their
+   !> friction under any measurable sliding is above the limit.
+   elemental logical function is_impossible(friction)
+      real(dp), intent(in) :: friction
+      is_impossible = abs(friction) > most_friction
+   end function is_impossible
+
+   !> Drop a friction coefficient that no oil has.
+   subroutine drop_impossible(self, problem, state)
+      class(shear_result_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+
+      self%dropped = no_value
+      if (.not. is_impossible(self%friction_coefficient)) return
+      self%dropped = self%friction_coefficient
+      self%thickest = thickest_oil(problem, state)
+      self%friction_coefficient = no_value
+   end subroutine drop_impossible
+
    !> Effects that the model leaves out and that matter here; '' where none does.
    function warning(self, is_limited, is_warm) result(text)
       class(shear_result_t), intent(in) :: self
@@ -98,12 +124,16 @@ contains
       character(len=:), allocatable :: text
 
       text = ''
-      if (.not. is_limited .and. is_above(self%share_beyond_limit, much_load)) text = &
-         '; the shear stress is above '// &
-         to_text(usual_limit, 3)//' of the pressure where '// &
-         to_text(100*self%share_beyond_limit, 2)// &
-         ' % of the load is borne, and no limit is modelled '// &
-         '(shear_limit_over_pressure): friction is too high'
+      if (is_impossible(self%dropped)) then
+         text = '; no friction coefficient is given: the oil would have '//to_text(self%dropped, 2)// &
+            ', and no oil bears a shear stress above its pressure. Its viscosity reaches '// &
+            to_text(self%thickest, 2)//" times the ambient viscosity: use flow_law = 'eyring' or "// &
+            'shear_limit_over_pressure'
+      else if (.not. is_limited .and. is_above(self%share_beyond_limit, much_load)) then
+         text = '; the shear stress is above '//to_text(usual_limit, 3)//' of the pressure where '// &
+            to_text(100*self%share_beyond_limit, 2)//' % of the load is borne, and no limit is modelled '// &
+            '(shear_limit_over_pressure): friction is too high'
+      end if
       if (.not. is_warm .and. is_above(1 - self%inlet%film_factor, 1 - thin_film)) text = text//'; '//inlet_text(self)
       if (.not. is_warm .and. is_above(self%contact_rise_k, warm_contact_k)) text = text// &
          '; the oil in the contact would warm by about '// &

@@ -8,17 +8,20 @@ module ehlwave_touching_case
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
    use ehlwave_errors, only: error_t
+   use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_march_keeper, only: march_keeper_t
-   use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_planned_case, only: case_plan_t, run_march
    use ehlwave_shared_steady, only: grid_of
+   use ehlwave_shear_result, only: is_impossible
    use ehlwave_shear_stress, only: knows_stress, mean_shear_stress
    use ehlwave_solve_report, only: solve_report_t
    use ehlwave_status, only: is_success, status_converged, status_unresolved
    use ehlwave_text, only: to_text
    use ehlwave_touching_continuation, only: reach_share, reach_speed, start_steady
    use ehlwave_touching_march, only: count_steps, march_touching
+   use ehlwave_touching_march_state, only: most_meshes, touching_march_t
    use ehlwave_touching_newton, only: touching_solver_t
    use ehlwave_touching_account_result, only: error_of, state_of, touching_values_t
    use ehlwave_touching_state, only: new_touching_law, prolonged, touching_state_t
@@ -27,8 +30,7 @@ module ehlwave_touching_case
    private
    public :: run_touching
 
-   integer, parameter :: most_levels = 3       !! meshes
-   integer, parameter :: fewest_cells = 48     !! of a wider one,
+   integer, parameter :: fewest_cells = 48     !! of a wider mesh,
    integer, parameter :: fewest_point_cells = 16   !! and of an elliptical contact
 
 contains
@@ -39,59 +41,53 @@ contains
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
-      class(march_keeper_t), intent(inout), optional :: keeper   !! of the march on the finest mesh
-      type(case_t) :: level_case
-      type(case_plan_t) :: level_plan
-      type(touching_values_t) :: values(most_levels)
+      class(march_keeper_t), intent(inout), optional :: keeper   !! of the march on the mesh at work
+      type(case_plan_t), allocatable :: plans(:)
+      type(touching_march_t) :: march
       type(touching_solver_t) :: solver
-      type(touching_state_t) :: steady, state
-      type(error_t), allocatable :: error
+      type(touching_state_t) :: state
       real(dp) :: start
-      integer :: levels, n
+      integer :: first, n
       logical :: has_coarser
 
       start = wall_seconds()
       result = blank_result(case, plan)
-      levels = 1
-      do while (levels < most_levels)
-         if (modulo(plan%cells_x, 2**levels) /= 0) exit
-         if (plan%conditions%is_line() .and. plan%cells_x/2**levels < fewest_cells) exit
-         if (.not. plan%conditions%is_line() .and. (modulo(plan%cells_y, 2**(levels + 1)) /= 0 .or. &
-                                                    plan%cells_x/2**levels < fewest_point_cells)) exit
-         levels = levels + 1
-      end do
+      call plan_meshes(case, plan, plans)
+      first = size(plans)
+      if (present(keeper) .and. plan%kind == run_march) call take_up(case, plans, keeper, march, first)
       has_coarser = .false.
-      do n = levels, 1, -1
-         level_case = case
-         level_case%cells_x = plan%cells_x/2**(n - 1)
-         if (.not. plan%conditions%is_line()) level_case%cells_y = plan%cells_y/2**(n - 1)
-         call make_plan(level_case, level_plan, error, plan%domain_scale)
-         if (allocated(error)) cycle
+      do n = first, 1, -1
          result%message = ''
          result%status = status_converged
          result%residual = 0
          result%load_error = 0
-         call find_steady(case, level_plan, monitor, n == 1, has_coarser, solver, steady, result)
-         has_coarser = result%status == status_converged
-         state = steady
-         if (has_coarser .and. plan%kind == run_march .and. n == 1) then
-            call march_touching(case, level_plan, monitor, solver, state, values(n), result, keeper)
-         else if (has_coarser .and. plan%kind == run_march) then
-            call march_touching(case, level_plan, monitor, solver, state, values(n), result)
-         else if (has_coarser) then
-            call values(n)%take(solver, state)
+         if (march%steps > 0) then
+            call lay_out(case, plans(n), solver)
+         else
+            call find_steady(case, plans(n), monitor, n == 1, has_coarser, solver, march%steady, result)
          end if
+         has_coarser = result%status == status_converged
+         if (has_coarser .and. plan%kind == run_march) then
+            call march_touching(case, plans(n), monitor, solver, march, state, result, keeper)
+         else if (has_coarser) then
+            state = march%steady
+            call march%values%take(solver, state)
+         end if
+         if (monitor%request == stop_now .and. present(keeper)) call keeper%save()
          if (monitor%request /= go_on) then
-            call end_early(monitor%request, 'mesh '//to_text(levels - n + 1)//' of '//to_text(levels), result)
+            call end_early(monitor%request, 'mesh '//to_text(size(plans) - n + 1)//' of '//to_text(size(plans)), result)
             return
          end if
+         if (result%status == status_converged) march%meshes(n) = march%values
+         march%steps = 0
+         march%values = touching_values_t()
       end do
       if (result%status == status_converged) then
-         n = findloc(ieee_is_finite(values%share), .false., 1) - 1
-         if (n < 0) n = most_levels
-         result%effects%touching%account%touching_values_t = values(1)
-         call result%effects%touching%account%estimate(values(2:n), plan%hx)
-         result%friction_error = friction_error(case, plan, values(:n))
+         n = findloc(ieee_is_finite(march%meshes%share), .false., 1) - 1
+         if (n < 0) n = most_meshes
+         result%effects%touching%account%touching_values_t = march%meshes(1)
+         call result%effects%touching%account%estimate(march%meshes(2:n), plan%hx)
+         result%friction_error = friction_error(case, plan, march%meshes(:n))
          call take_solution(case, plan, solver, state, result)
       end if
       result%seconds = wall_seconds() - start
@@ -106,6 +102,50 @@ contains
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_touching
 
+   !> Plans of the case on its mesh and on wider ones, the finest first.
+   subroutine plan_meshes(case, plan, plans)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(case_plan_t), allocatable, intent(out) :: plans(:)
+      type(case_t) :: wider
+      type(case_plan_t) :: wider_plan
+      type(error_t), allocatable :: error
+      integer :: n
+
+      plans = [plan]
+      wider = case
+      do n = 1, most_meshes - 1
+         if (modulo(plan%cells_x, 2**n) /= 0) return
+         wider%cells_x = plan%cells_x/2**n
+         if (plan%conditions%is_line()) then
+            if (wider%cells_x < fewest_cells) return
+         else
+            if (modulo(plan%cells_y, 2**(n + 1)) /= 0 .or. wider%cells_x < fewest_point_cells) return
+            wider%cells_y = plan%cells_y/2**n
+         end if
+         call make_plan(wider, wider_plan, error, plan%domain_scale)
+         if (allocated(error)) return
+         plans = [plans, wider_plan]
+      end do
+   end subroutine plan_meshes
+
+   !> Take up a march that an earlier run left, on whichever mesh that was; without one `first` stays.
+   subroutine take_up(case, plans, keeper, march, first)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plans(:)      !! the finest first
+      class(march_keeper_t), intent(inout) :: keeper
+      type(touching_march_t), intent(inout) :: march
+      integer, intent(inout) :: first                !! mesh to begin with
+      integer :: n
+
+      do n = 1, size(plans)
+         call march%make_room(grid_of(case, plans(n)), plans(n)%steps, plans(n)%steps_per_cell)
+         call keeper%load(march)
+         if (march%steps > 0) first = n
+         if (march%steps > 0) return
+      end do
+   end subroutine take_up
+
    !> The steady state of a mesh: of a wave at rest with the wave, else of smooth surfaces.
    subroutine find_steady(case, plan, monitor, is_finest, has_coarser, solver, state, result)
       type(case_t), intent(in) :: case
@@ -119,9 +159,6 @@ contains
       type(solve_report_t) :: report
       real(dp), allocatable :: rough(:, :)
 
-      if (allocated(solver%past%f)) deallocate (solver%past%f, solver%past%passed)
-      if (allocated(solver%given%rough)) deallocate (solver%given%rough)   ! of the mesh before
-      solver%law = new_touching_law(case%effects%touching%data, plan%conditions)
       if (has_coarser) first = prolonged(state, grid_of(case, plan))
       call lay_out(case, plan, solver)
       associate (grid => solver%problem%grid)
@@ -156,6 +193,9 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(touching_solver_t), intent(inout) :: solver
+      if (allocated(solver%past%f)) deallocate (solver%past%f, solver%past%passed)
+      solver%given = given_t()
+      solver%law = new_touching_law(case%effects%touching%data, plan%conditions)
       call solver%problem%init(grid_of(case, plan), plan%conditions, plan%rheology)
       solver%largest_steps = case%largest_steps
       call solver%begin()
@@ -206,6 +246,7 @@ contains
       type(touching_solver_t), intent(in) :: solver
       type(touching_state_t), intent(in) :: state
       type(case_result_t), intent(inout) :: result
+      real(dp), allocatable :: stress(:, :)
 
       associate (problem => solver%problem, touching => result%effects%touching%account)
          result%central_film = problem%grid%value_at_centre(state%h)
@@ -214,8 +255,17 @@ contains
          result%max_pressure = maxval(state%p)
          touching%mass_error = result%residual
          touching%solid_friction = solid_friction(case, plan, touching%share)
+         call result%shear%take(problem, state_of(state), stress)
+         result%shear%friction_coefficient = touching%friction_oil
+         call result%shear%drop_impossible(problem, state_of(state))
+         touching%friction_oil = result%shear%friction_coefficient
+         if (allocated(touching%friction_history)) &
+            where (is_impossible(touching%friction_history)) touching%friction_history = no_value
          result%shear%friction_coefficient = touching%friction_oil + touching%solid_friction
+         call result%shear%estimate_temperatures(problem%conditions, result%central_film)
+         if (.not. ieee_is_finite(touching%friction_oil)) result%friction_error = no_value
          call add_warning(result, touching%warning())
+         call add_warning(result, result%shear%warning(case%oil%shear_limit_over_pressure > 0, .false.))
          call add_warning(result, extrapolation_text(case, plan%rheology, result%max_pressure))
          if (case%fields) then
             allocate (result%x, source=problem%grid%x)

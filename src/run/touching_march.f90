@@ -5,7 +5,7 @@ module ehlwave_touching_march
    use ehlwave_case_result, only: case_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
-   use ehlwave_monitor, only: go_on, monitor_t, stop_now
+   use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_solve_report, only: solve_report_t
    use ehlwave_status, only: status_converged
@@ -22,34 +22,33 @@ module ehlwave_touching_march
 
 contains
 
-   !> March in time from the steady state of smooth surfaces; mean values over the time that is measured. After any
-   !> step a march that is stopped goes on with the same bits.
-   subroutine march_touching(case, plan, monitor, solver, state, values, result, keeper)
+   !> March in time from the steady state of smooth surfaces, `march%steady`, or on from its steps so far; mean values
+   !> over the time that is measured. After any step a march that is stopped goes on with the same bits.
+   subroutine march_touching(case, plan, monitor, solver, march, state, result, keeper)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(touching_solver_t), intent(inout) :: solver
-      type(touching_state_t), intent(inout) :: state      !! of smooth surfaces; of the last step on return
-      type(touching_values_t), intent(out) :: values
+      type(touching_march_t), intent(inout) :: march
+      type(touching_state_t), intent(out) :: state        !! of the last step
       type(case_result_t), intent(inout) :: result
       class(march_keeper_t), intent(inout), optional :: keeper
-      type(touching_march_t) :: march
       type(solve_report_t) :: report
       real(dp) :: film
       integer :: first, k
 
+      state = march%steady
       film = solver%problem%grid%value_at_centre(state%h)
       first = min(plan%first_sample + 1, plan%steps)
       if (.not. plan%measures) first = plan%steps
-      call solver%equations%evaluate(solver%problem, solver%law, solver%given, solver%past, state)
-      call solver%equations%remember(state%theta, plan%steps_per_cell, solver%past)
-      solver%given%load%force = case%load_factor
       call begin_histories(plan, result)
-      if (present(keeper)) then
-         call march%gather(0, solver, state, result)
-         call keeper%load(march)
+      if (march%steps > 0) then
          call march%restore(solver, state, result)
+      else
+         call solver%equations%evaluate(solver%problem, solver%law, solver%given, solver%past, state)
+         call solver%equations%remember(state%theta, plan%steps_per_cell, solver%past)
       end if
+      solver%given%load%force = case%load_factor
       do k = march%steps + 1, plan%steps
          associate (grid => solver%problem%grid)
             call take_step(solver, state, plan%surfaces%rough_at(grid%x, grid%y, k*plan%dt, film), report)
@@ -68,10 +67,8 @@ contains
             call keeper%keep(march)
          end if
          call monitor%step_done('time step with touching', k, plan%steps)
-         if (present(keeper) .and. monitor%request == stop_now) call keeper%save()
          if (monitor%request /= go_on) return
       end do
-      values = march%values
       result%time_steps = plan%steps
       result%mean_film = sum(result%film_history(first:))/(plan%steps - first + 1)
    end subroutine march_touching

@@ -2,11 +2,10 @@
 module ehlwave_wave_quantities
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
-   use ehlwave_pair_result, only: pair_result_t
    use ehlwave_quantity, only: quantity_list_t
    implicit none (type, external)
    private
-   public :: add_pair, add_response
+   public :: add_response
 
 contains
 
@@ -14,12 +13,12 @@ contains
    subroutine add_response(list, harmonic, number, exists)
       type(quantity_list_t), intent(inout) :: list
       type(harmonic_result_t), intent(in) :: harmonic
-      character(len=*), intent(in) :: number         !! suffix of names: '' for the first surface, '_2'
+      character(len=*), intent(in) :: number         !! suffix of names: '' for the first surface
       logical, intent(in) :: exists
       character(len=:), allocatable :: of
 
       of = ''
-      if (number /= '') of = ', surface 2'
+      if (number /= '') of = ', surface '//number(2:)
       call put('harmonic_ratio', 'Ad/Ai of small waves, linear response', harmonic%ratio)
       call put('harmonic_phase', 'phase of the linear response of H(0,0)', harmonic%phase, unit='rad')
       call put_complex('harmonic', 'transfer function pattern to H(0,0)', &
@@ -81,28 +80,5 @@ contains
       end subroutine add_waves
 
    end subroutine add_response
-
-   !> Quantities of two rough surfaces besides the first.
-   subroutine add_pair(list, is_pair, pair)
-      type(quantity_list_t), intent(inout) :: list
-      logical, intent(in) :: is_pair
-      type(pair_result_t), intent(in) :: pair
-
-      call list%add('amplitude_ratio_fit_2', 'Ad/Ai of the waves of surface 2 from a harmonic fit', pair%ratio_fit, &
-         exists=is_pair)
-      call list%add('phase_fit_2', 'phase of their harmonic fit against their pattern at the centre', pair%phase_fit, &
-         unit='rad', exists=is_pair)
-      call add_response(list, pair%harmonic, '_2', is_pair)
-      call list%add('film_rms_both', 'rms of H(0,0) by the waves of both surfaces over central_film, phases free '// &
-         'even where the waves have one frequency, linear responses', pair%film_rms, exists=is_pair)
-      call list%add('mean_film_rise_both', 'mean film with the waves of both surfaces less smooth film over Ai of '// &
-         'the first, second order, linear responses', pair%mean_rise, exists=is_pair)
-      call list%add('mean_film_rise_cross', 'part of mean_film_rise_both that neither surface has alone', &
-         pair%cross_rise, exists=is_pair)
-      call list%add('smallest_film_both', 'smallest film with the waves of both surfaces anywhere at any time, '// &
-         'phases free even where the waves have one frequency, second order', pair%smallest_film, exists=is_pair)
-      call list%add_truth('surfaces_touch_both', '1 when both waves together would touch, second order; -1: not '// &
-         'known', pair%surfaces_touch, exists=is_pair)
-   end subroutine add_pair
 
 end module ehlwave_wave_quantities

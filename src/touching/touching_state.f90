@@ -7,7 +7,7 @@ module ehlwave_touching_state
    use ehlwave_touching_data, only: soft, touching_data_t
    implicit none (type, external)
    private
-   public :: hertz_state, new_touching_law, prolonged
+   public :: hertz_state, new_touching_law, prolonged, still_state
 
    !> Theory eq. (Z3): solids bear where the gap is the boundary film, or below it by the logarithm of their pressure.
    type, public :: touching_law_t
@@ -72,7 +72,7 @@ contains
       type(touching_state_t), intent(out) :: state
       integer :: j
 
-      call make_room(problem%grid, state)
+      state = still_state(problem%grid)
       do j = 0, problem%grid%ny
          state%p(:, j) = sqrt(max(0.0_dp, 1 - problem%grid%x**2 - &
                                   merge(0.0_dp, problem%grid%y(j)**2, problem%grid%is_line)))
@@ -92,17 +92,17 @@ contains
       self%p = 0
    end subroutine run_dry
 
-   !> A full gap without pressure.
-   subroutine make_room(grid, state)
+   !> A full gap of no height, without pressure.
+   function still_state(grid) result(state)
       type(grid_t), intent(in) :: grid
-      type(touching_state_t), intent(inout) :: state
+      type(touching_state_t) :: state
       call grid%new_field(state%p)
       call grid%new_field(state%c)
       call grid%new_field(state%h)
       call grid%new_field(state%theta)
       state%theta = 1
       allocate (state%is_touching(0:grid%nx, 0:grid%ny), state%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
-   end subroutine make_room
+   end function still_state
 
    !> A state on the grid with twice as many cells: linear in between, touching or cavitated where both neighbours are.
    function prolonged(coarse, grid) result(fine)
@@ -110,7 +110,7 @@ contains
       type(grid_t), intent(in) :: grid             !! of the result
       type(touching_state_t) :: fine
 
-      call make_room(grid, fine)
+      fine = still_state(grid)
       fine%p = between(coarse%p)
       fine%c = between(coarse%c)
       fine%h = between(coarse%h)

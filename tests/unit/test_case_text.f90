@@ -65,9 +65,9 @@ contains
       type(case_t) :: case
       case = oblique()
       case%response = 'harmonic'
-      case%second%orientation = 'isotropic'
-      case%second%wavelength_over_a = 0.8_dp
-      case%second%amplitude_over_film = 0.1_dp
+      case%effects%second%roughness%orientation = 'isotropic'
+      case%effects%second%roughness%wavelength_over_a = 0.8_dp
+      case%effects%second%roughness%amplitude_over_film = 0.1_dp
    end function pair
 
    function dimensional() result(case)

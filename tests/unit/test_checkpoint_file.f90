@@ -57,8 +57,8 @@ contains
       case%orientation = 'transverse'
       case%wavelength_over_a = 1
       case%slip_parameter = 1.25
-      case%second%orientation = 'transverse'       ! both surfaces are rough
-      case%second%wavelength_over_a = 0.8
+      case%effects%second%roughness%orientation = 'transverse'       ! both surfaces are rough
+      case%effects%second%roughness%wavelength_over_a = 0.8
       case%load_balance = 'equation_of_motion'     ! for it the approach of the steps before counts
       case%natural_frequency = 6
       case%cells_x = 32
@@ -84,8 +84,8 @@ contains
       case%orientation = 'transverse'
       case%wavelength_over_a = 1
       case%slip_parameter = 1.02_dp
-      case%second%orientation = 'transverse'
-      case%second%wavelength_over_a = 0.8
+      case%effects%second%roughness%orientation = 'transverse'
+      case%effects%second%roughness%wavelength_over_a = 0.8
       case%cells_x = 32
       case%cells_y = 32
       call complete_case(case, '', error)
@@ -147,10 +147,11 @@ contains
       call test%check(all(transfer(stopped%film_history, [0_i8]) == transfer(whole%film_history, [0_i8])), 'film of '//what)
       call test%check(all(transfer(stopped%approach_history, [0_i8]) == transfer(whole%approach_history, [0_i8])), &
                       'approach of '//what)
-      call test%check(whole%amplitude_ratio_fit > 0 .and. whole%pair%ratio_fit > 0, 'there are Ad/Ai of both surfaces')
+      call test%check(all(whole%ratios(2) > 0), 'there are Ad/Ai of both surfaces')
       call test%check_equal(transfer(stopped%amplitude_ratio_fit, 0_i8), transfer(whole%amplitude_ratio_fit, 0_i8), &
                             'Ad/Ai of '//what)
-      call test%check_equal(transfer(stopped%pair%ratio_fit, 0_i8), transfer(whole%pair%ratio_fit, 0_i8), &
+      call test%check_equal(transfer(stopped%effects%second%surface%amplitude_ratio_fit, 0_i8), &
+                            transfer(whole%effects%second%surface%amplitude_ratio_fit, 0_i8), &
                             'Ad/Ai of surface 2 of '//what)
       call test%check_equal(transfer(stopped%residual, 0_i8), transfer(whole%residual, 0_i8), 'residual of '//what)
       call test%check_equal(stopped%linear_steps, whole%linear_steps, 'linear steps of '//what)

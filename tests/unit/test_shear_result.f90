@@ -46,17 +46,26 @@ contains
       call make_plan(case, plan, error)
       call test%check_no_error(error, 'Newtonian')
       call newtonian%init(grid, plan%conditions, plan%rheology)
-      call r%take(newtonian, state, stress)
       area = grid%integral(merge(1.0_dp, 0.0_dp, state%p > 0))
       du = 1
       eta = 0.05_dp*exp(0.5_dp*plan%conditions%alphabar)
       tau = eta*du/(0.25_dp*plan%conditions%c_m)
-      call test%check_close(r%friction_coefficient, 3/(2*pi)*area*tau/plan%conditions%hertz_pressure_pa, 'Newtonian friction', &
+      call r%take(newtonian, state, stress)
+      call test%check_close(r%dropped, 3/(2*pi)*area*tau/plan%conditions%hertz_pressure_pa, 'dropped friction', &
                             relative=1e-11_dp)
+      call test%check(r%friction_coefficient /= r%friction_coefficient, 'no friction is given that no oil has')
+      call test%check(index(r%warning(.false., .false.), 'no friction coefficient is given: the oil would have 11,') == 1, &
+                      'warning of a dropped friction')
+      state%p = 0.7_dp*state%p
+      call r%take(newtonian, state, stress)
+      call test%check_close(r%friction_coefficient, 3/(2*pi)*area*tau*exp(-0.15_dp*plan%conditions%alphabar) &
+                            /plan%conditions%hertz_pressure_pa, 'Newtonian friction', relative=1e-11_dp)
+      call test%check(r%dropped /= r%dropped, 'a friction below 1 is given')
       call test%check_close(r%tangent_factor, [1.0_dp, 1.0_dp], 'Newtonian factors', relative=0.0_dp)
       call test%check(r%largest_b /= r%largest_b, 'no B of a Newtonian oil')
       call test%check_close(r%share_beyond_limit, 1.0_dp, 'far beyond the limit', relative=1e-14_dp)
-      call test%check(r%contact_rise_k > 1000, 'a Newtonian contact would melt')
+      call test%check(r%contact_rise_k > 100, 'a Newtonian contact would boil')
+      state%p = state%p/0.7_dp
 
       call case_from_text(contact//"/ &lubricant viscosity_law = 'barus', flow_law = 'eyring', eyring_stress_pa = 4e6 /", &
                           case, error)

@@ -108,7 +108,7 @@ contains
       call run_case(case, plan, monitor, both)
       call test%check(is_success(alone%status) .and. is_success(both%status), 'marches')
       call test%check_close(both%film_history, alone%film_history, 'film of two surfaces', relative=1e-6_dp)
-      call test%check_close([both%amplitude_ratio_fit, both%pair%ratio_fit], &
+      call test%check_close(both%ratios(2), &
                             [alone%amplitude_ratio_fit, alone%amplitude_ratio_fit], 'of one pattern each has its share', &
                             relative=1e-5_dp)
    end subroutine check_march

@@ -28,27 +28,41 @@ program test_touching_checkpoint
 
 contains
 
-   !> Stop a march after some steps, go on, and compare with a march without a stop.
+   !> Stop a march after some steps, on its mesh and on the wider one, and go on.
    subroutine check_march(name, is_line)
       character(len=*), intent(in) :: name
       logical, intent(in) :: is_line
       type(case_t) :: case
       type(case_plan_t) :: plan
-      type(case_result_t) :: whole, stopped, resumed
+      type(case_result_t) :: whole
       integer :: first, steps
 
       call make_case(is_line, case, plan)
       call remove_file(path, status)
-      call run(case, plan, huge(1), whole, first, steps)
+      call run(case, plan, plan%steps, huge(1), whole, first, steps)
       call test%check_equal(steps, plan%steps, name//': steps of the whole march')
       call test%check(whole%effects%touching%account%share > 0.01_dp, name//': the surfaces touch')
-      call remove_file(path, status)
-      call run(case, plan, stop_at, stopped, first, steps)
-      call test%check_equal(stopped%status, status_interrupted, name//': status of a stopped march')
-      call run(case, plan, huge(1), resumed, first, steps)
-      call test%check_equal(first, stop_at + 1, name//': first step after the stop')
-      call compare(name, whole, resumed)
+      call check_stop(name, case, plan, plan%steps, whole)
+      call check_stop(name//', wider mesh', case, plan, plan%steps/2, whole)
    end subroutine check_march
+
+   !> Stop the march of a mesh with so many steps after some of them: the march goes on there, without the meshes before.
+   subroutine check_stop(name, case, plan, total, whole)
+      character(len=*), intent(in) :: name
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      integer, intent(in) :: total
+      type(case_result_t), intent(in) :: whole        !! of a march without a stop
+      type(case_result_t) :: stopped, resumed
+      integer :: first, steps
+
+      call remove_file(path, status)
+      call run(case, plan, total, stop_at, stopped, first, steps)
+      call test%check_equal(stopped%status, status_interrupted, name//': status of a stopped march')
+      call run(case, plan, 0, huge(1), resumed, first, steps)
+      call test%check_equal(first, stop_at + 1, name//': first step after the stop, of any mesh')
+      call compare(name, whole, resumed)
+   end subroutine check_stop
 
    !> A wave that rolls through, on a coarse grid.
    subroutine make_case(is_line, case, plan)
@@ -74,10 +88,11 @@ contains
       call test%check_no_error(error, 'case')
    end subroutine make_case
 
-   subroutine run(case, plan, last, result, first, steps)
+   subroutine run(case, plan, total, last, result, first, steps)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      integer, intent(in) :: last                     !! step at which the march is to stop
+      integer, intent(in) :: total                    !! steps of the mesh that is followed, 0: of all
+      integer, intent(in) :: last                     !! step at which its march is to stop
       type(case_result_t), intent(out) :: result
       integer, intent(out) :: first, steps
       type(checkpoint_t) :: checkpoint
@@ -86,7 +101,7 @@ contains
       checkpoint%path = path
       checkpoint%identity = '0123456789ABCDEF'
       monitor%stage = 'time step with touching'
-      monitor%total = plan%steps
+      monitor%total = total
       monitor%stop_at = last
       call run_estimated_case(case, plan, monitor, result, keeper=checkpoint)
       first = monitor%first

@@ -57,8 +57,8 @@ class Oils(TestCase):
                     report(f"{shape}, {law}: alpha {alpha:.3g} 1/Pa, film {100*deviation:.1f} % from Roelands'")
 
     def test_carreau(self):
-        """S = 0.5: converges, the film a little thinner than the Newtonian film, friction far lower and against the
-        motion.
+        """S = 0.5: converges, the film a little thinner than the Newtonian film, friction below 1 and against the
+        motion. The Newtonian oil would have more than 1, which is not given.
         """
         carreau = {"flow_law": "carreau", "carreau_modulus_pa": 7e6, "carreau_exponent": 0.4}
         for shape, (conditions, grid) in SHAPES.items():
@@ -71,7 +71,8 @@ class Oils(TestCase):
                 self.assertGreater(thinning, 0)
                 self.assertLess(thinning, 0.05)
                 self.assertLess(result["friction_coefficient"], 0)
-                self.assertLess(-result["friction_coefficient"], 0.1*-newtonian["friction_coefficient"])
+                self.assertIsNone(newtonian["friction_coefficient"])
+                self.assertLess(-result["friction_coefficient"], 0.3)
                 self.assertGreater(result["tangent_factor_x"], result["tangent_factor_y"])
                 report(f"{shape}: film {100*thinning:.1f} % thinner, friction {result['friction_coefficient']:.3f}")
 

@@ -150,7 +150,8 @@ class Marches(FolderTest):
         (self.folder/"case.nml").write_text(namelist(groups_of(96, 0.03, 0.5, waviness=WAVE)))
         printed = run("case", "case.nml", folder=self.folder).stdout
         self.assertIn("Touching ", printed)
-        self.assertRegex(printed, r"(?m)^Friction     coefficient [-\d.]+$")
+        self.assertRegex(printed, r"(?m)^Friction     coefficient [-\d.]+; shear by sliding up to")
+        self.assertNotIn("(Newtonian oil)", printed)
         self.assertNotIn("respond", printed)
 
     def test_artefact(self):
@@ -219,6 +220,14 @@ class Ball(FolderTest):
             plan = found["counted_work_units"]/found["expected_work_units"]
             self.assertLess(abs(math.log(plan)), math.log(4), "work over plan")
             report(f"work over plan: {plan:.2f}")
+
+    def test_impossible_friction(self):
+        """A Newtonian oil that slides under more than twice the Hertz pressure has no friction that could be given."""
+        found = self.march(cells=32, slip=1.5, speed=0.05)
+        self.assertIsNone(found["friction_coefficient"])
+        self.assertIsNone(found["oil_friction_coefficient"])
+        self.assertIn("no friction coefficient is given: the oil would have", found["warning"])
+        self.assertGreater(found["touching_share"], 0)
 
     def test_full_film_march(self):
         """A film thicker than the waves: the mean film of the march without touching."""

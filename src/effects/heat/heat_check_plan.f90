@@ -59,7 +59,7 @@ contains
          else if (oil%temperature_k <= 150 .or. oil%temperature_k > 700) then
             call raise(error, '&lubricant temperature_k = '//to_text(oil%temperature_k, 6)//' is no temperature of '// &
                'an oil in kelvin: write a value between 150 and 700')
-         else if (case%is_measured() .or. case%second%is_measured()) then
+         else if (case%has_heights()) then
             call raise(error, '&heat has the temperatures of the smooth contact, which a measured surface changes: '// &
                'remove &surface and &surface2, or &heat')
          else if (merge(abs(case%load_factor - 1), case%end_time, case%is_wavy()) > 0) then

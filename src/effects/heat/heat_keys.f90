@@ -16,7 +16,6 @@ module ehlwave_heat_keys
       procedure :: visit
       procedure :: is_given
       procedure, nopass :: refuses
-      procedure :: changing
       procedure, nopass :: finds_temperatures
       procedure, nopass :: empty_group
    end type heat_keys_t
@@ -43,12 +42,6 @@ contains
       integer, intent(in) :: method
       refuses = any(method == [by_fas, by_fitted_scheme, by_long_steps])
    end function refuses
-
-   pure function changing(self) result(name)
-      class(heat_keys_t), intent(in) :: self
-      character(len=:), allocatable :: name
-      name = ''
-   end function changing
 
    pure logical function finds_temperatures()
       finds_temperatures = .true.

@@ -11,10 +11,11 @@ module ehlwave_heat_result
    use ehlwave_heat_account_result, only: heat_account_t, warm_fields
    use ehlwave_heat_data, only: new_heat_scales
    use ehlwave_hierarchy, only: level_t
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, no_value
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_rescue, only: rescue_t
+   use ehlwave_shear_result, only: is_impossible
    use ehlwave_shear_stress, only: friction_at
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_status, only: status_converged
@@ -63,6 +64,7 @@ contains
          if (level%report%status /= status_converged) return
          self%account%isothermal_film = level%problem%grid%value_at_centre(level%state%h)
          self%account%isothermal_friction = friction_at(level%problem, level%state)
+         if (is_impossible(self%account%isothermal_friction)) self%account%isothermal_friction = no_value
          call solve_warm(multigrid, rescue, new_heat_scales(data, case%oil%temperature_k, plan%conditions), &
                          data%levels, limits, coarse_tolerance, energy)
          if (level%report%status == status_converged) then

@@ -27,7 +27,7 @@ contains
 
    pure function follows() result(group)
       character(len=:), allocatable :: group
-      group = 'surface2'
+      group = 'surface'
    end function follows
 
    subroutine visit(self, list)

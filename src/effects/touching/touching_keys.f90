@@ -15,7 +15,6 @@ module ehlwave_touching_keys
       procedure :: visit
       procedure :: is_given
       procedure, nopass :: refuses
-      procedure :: changing
       procedure, nopass :: empty_group
    end type touching_keys_t
 
@@ -41,12 +40,6 @@ contains
       integer, intent(in) :: method
       refuses = any(method == [by_fas, by_second_order])
    end function refuses
-
-   pure function changing(self) result(name)
-      class(touching_keys_t), intent(in) :: self
-      character(len=:), allocatable :: name
-      name = ''
-   end function changing
 
    pure subroutine empty_group(group, message)
       character(len=:), allocatable, intent(inout) :: group, message

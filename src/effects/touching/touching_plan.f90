@@ -1,10 +1,11 @@
 !> Surfaces that may touch, in the plan of a case: required data, and inputs that contradict them.
 module ehlwave_touching_plan
    use ehlwave_bare_plan, only: bare_plan_t
-   use ehlwave_case_definition, only: case_t, roughness_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_effect_plan, only: effect_plan_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
+   use ehlwave_roughness, only: roughness_t
    use ehlwave_text, only: to_text
    use ehlwave_touching_data, only: soft
    implicit none (type, external)
@@ -73,9 +74,7 @@ contains
          call raise(error, '&touching film_m holds metres: give &conditions by dimensional data (radius_x_m, '// &
             '...) in '// &
             'place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
-      else if (case%is_rough() .and. .not. case%moves() .and. min(amplitude(case%roughness_t), &
-         amplitude(case%second)) <= 0) &
-         then
+      else if (case%is_rough() .and. .not. case%moves() .and. minval(amplitude(case%surfaces())) <= 0) then
          call refuse('&waviness amplitude_over_film', 'takes waves at rest whose height is known: give amplitude_m')
       else if (case%effects%heat%is_given()) then
          call refuse('&heat is given', 'is isothermal, as the heat of sliding solids is not built: remove &heat')
@@ -111,7 +110,7 @@ contains
    end subroutine check
 
    !> The amplitude of waves that are given by it, else 0; of no waves infinite.
-   pure real(dp) function amplitude(roughness)
+   elemental real(dp) function amplitude(roughness)
       type(roughness_t), intent(in) :: roughness
       amplitude = huge(amplitude)
       if (roughness%is_wavy()) amplitude = roughness%amplitude_m

@@ -1,5 +1,6 @@
 !> Surfaces that may touch, in the result of a case.
 module ehlwave_touching_result
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
    use ehlwave_effect_result, only: after_friction, effect_result_t
    use ehlwave_hdf5_file, only: hdf5_file_t
@@ -91,14 +92,16 @@ contains
       class(touching_result_t), intent(in) :: self
       integer, intent(in) :: unit
       type(case_plan_t), intent(in) :: plan
+      character(len=:), allocatable :: oil
 
       associate (touching => self%account)
          if (touching%meshes == 0) return
+         oil = 'not given'
+         if (ieee_is_finite(touching%friction_oil)) oil = to_text(touching%friction_oil, 4)
          write (unit, '(a)') 'Touching     share '//to_text(touching%share, 4)//' of the load (error '// &
             to_text(touching%share_error, 2)//'), area '//to_text(touching%area, 4)//' of the Hertz area (error '// &
-            to_text(touching%area_error, 2)//'), mean speed '//to_text(touching%speed, &
-               5)//' m/s, friction of the oil '// &
-            to_text(touching%friction_oil, 4)//', of the solids '//to_text(touching%solid_friction, 4)
+            to_text(touching%area_error, 2)//'), mean speed '//to_text(touching%speed, 5)//' m/s, friction of the '// &
+            'oil '//oil//', of the solids '//to_text(touching%solid_friction, 4)
       end associate
    end subroutine print
 

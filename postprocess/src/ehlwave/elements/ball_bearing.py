@@ -7,26 +7,26 @@ from typing import Any
 
 from ehlwave.choices import chosen
 from ehlwave.contact.bodies import Body
-from ehlwave.elements.bearing import RINGS, RollingBearing
+from ehlwave.elements.bearing import RollingBearing
 from ehlwave.elements.given import above, at_least, count, pair
 from ehlwave.elements.hertz import hertz_point, reduced_modulus, reduced_radius
 from ehlwave.elements.load_zone import (
     BALL_HALF_LOADED,
     BALL_POWER,
-    Grooves,
+    RINGS,
     LoadZone,
     combined_zone,
     radial_zone,
 )
 from ehlwave.elements.material import elastic_of
+from ehlwave.elements.races import Grooves
 from ehlwave.errors import SurfaceError
 
 
 class BallBearing(RollingBearing):
     """A single-row ball bearing; subclasses define the contact angle without load."""
 
-    free_angle_deg: float = 0.0
-    """Contact angle without load."""
+    power = BALL_POWER
     conformity: tuple[float, float]
     """Groove radius over ball diameter, inner and outer ring."""
     clearance_m: float = 0.0
@@ -99,32 +99,35 @@ class BallBearing(RollingBearing):
         return abs(own * math.tan(alpha - pitch) + side * gamma * math.sin(alpha))
 
     @property
-    def stiffness(self) -> float:
-        """Return K of both Hertz contacts in series, N/m^(3/2), at the angle without load."""
-        approach = 0.0
-        for ring in RINGS:
-            race, ball = self.bodies(ring, self.free_angle_deg)
-            along = reduced_radius(race.radius_x_m, ball.radius_x_m)
-            across = reduced_radius(race.radius_y_m, ball.radius_y_m)
-            approach += hertz_point(1.0, along, across, reduced_modulus(race, ball)).approach_m
-        return approach**-BALL_POWER
+    def stiffnesses(self) -> tuple[float, float]:
+        """Return K of both Hertz contacts, N/m^(3/2), at the angle without load."""
+        return self._stiffness("inner"), self._stiffness("outer")
+
+    def _stiffness(self, ring: str) -> float:
+        race, ball = self.bodies(ring, self.free_angle_deg)
+        along = reduced_radius(race.radius_x_m, ball.radius_x_m)
+        across = reduced_radius(race.radius_y_m, ball.radius_y_m)
+        modulus = reduced_modulus(race, ball)
+        return float(hertz_point(1.0, along, across, modulus).approach_m ** -BALL_POWER)
 
     @property
     def grooves(self) -> Grooves:
-        """Return the distance of the groove centres and the angle without load."""
+        """Return the distances of the groove centres and the angle without load."""
         diameter, pitch = self.element_diameter_m, self.pitch_diameter_m
-        distance = (sum(self.conformity) - 1) * diameter
+        radii = tuple((groove - 0.5) * diameter for groove in self.conformity)
+        distance = sum(radii)
         angle = math.radians(self.free_angle_deg)
         if not self.free_angle_deg and self.clearance_m > 0:
             angle = math.acos(1 - min(self.clearance_m / (2 * distance), 1))
-        inner = pitch / 2 + (self.conformity[0] - 0.5) * diameter * math.cos(angle)
-        return Grooves(distance, angle, inner, pitch / 2)
+        return Grooves((radii[0], radii[1]), angle, pitch / 2 + radii[0] * math.cos(angle))
 
     def load_zone(
         self,
         radial_load_n: float = 0.0,
         axial_load_n: float = 0.0,
         is_free_to_tilt: bool = False,
+        inner_speed_rpm: float = 0.0,
+        outer_speed_rpm: float = 0.0,
     ) -> LoadZone:
         """Return the loads around the bearing.
 
@@ -134,10 +137,13 @@ class BallBearing(RollingBearing):
             Loads, at least one above 0.
         is_free_to_tilt : bool
             Whether the rings tilt until no moment is left; otherwise they stay parallel.
+        inner_speed_rpm, outer_speed_rpm : float
+            Speeds of the rings, for the centrifugal force of the balls.
         """
         name = type(self).__name__
         radial = at_least(radial_load_n, "radial_load_n", name)
         axial = at_least(axial_load_n, "axial_load_n", name)
+        races = self.races(inner_speed_rpm, outer_speed_rpm)
         if radial == axial == 0:
             raise SurfaceError(f"{name}: radial_load_n is missing: give it, such as 1000")
         if axial == 0:
@@ -147,6 +153,6 @@ class BallBearing(RollingBearing):
                     f"{name}: axial_load_n is missing: a radial load alone pushes the rings of an "
                     f"angular contact bearing apart: give it, such as {usual:.3g}"
                 )
-            return radial_zone(radial, self.elements, self.clearance_m, self.stiffness, BALL_POWER)
+            return radial_zone(radial, self.elements, self.clearance_m, races)
         loads = (radial, axial)
-        return combined_zone(loads, self.elements, self.grooves, self.stiffness, is_free_to_tilt)
+        return combined_zone(loads, self.elements, self.grooves, races, is_free_to_tilt)

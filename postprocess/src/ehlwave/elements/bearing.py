@@ -3,26 +3,33 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from ehlwave.choices import chosen
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.elements.answers import Questions
 from ehlwave.elements.bearing_motion import BearingMotion
 from ehlwave.elements.inside_error import inside_error, widen
-from ehlwave.elements.load_zone import LoadZone
+from ehlwave.elements.load_zone import RINGS, LoadZone
 from ehlwave.elements.place import ElementContact
 from ehlwave.elements.practice import viscosity_ratio
+from ehlwave.elements.races import Races
 from ehlwave.elements.rolling_resistance import error_of, rolling_power_w
 from ehlwave.elements.table import table_of, unanswered, worst_places
+from ehlwave.errors import ExtrapolationWarning
 
-RINGS = ("inner", "outer")
+Floats = NDArray[np.float64]
+
 EDGE = 0.95
 """Part of the half width of the load zone that tables show: at its end there is no load."""
+LARGEST_LEFT_OUT = 0.05
+"""Centrifugal force over the largest load above which loads without it are warned of."""
 LEAST_LOAD = 1e-9
 """Load over the largest below which an element counts as unloaded: round-off at the zone's end."""
 
@@ -38,6 +45,36 @@ class RollingBearing(BearingMotion):
     """Bearings with other inner dimensions, where they are estimated."""
     inside_errors: Mapping[str, float] = {}
     """Errors of estimated inner dimensions, relative; of counts absolute."""
+    power: float
+    """Power of the approach of a race in its load."""
+    free_angle_deg: float = 0.0
+    """Contact angle without load."""
+
+    @property
+    def stiffnesses(self) -> tuple[float, float]:
+        """Return load per approach to the power, N/m^power, of the inner and the outer race."""
+        raise NotImplementedError
+
+    @property
+    def stiffness(self) -> float:
+        """Return the stiffness of both contacts in series, N/m^power."""
+        return self.races().stiffness
+
+    def races(self, inner_speed_rpm: float = 0.0, outer_speed_rpm: float = 0.0) -> Races:
+        """Return both contacts of an element with its centrifugal force.
+
+        Parameters
+        ----------
+        inner_speed_rpm, outer_speed_rpm : float
+            Speeds of the rings.
+        """
+        force = self.centrifugal_load_n(inner_speed_rpm, outer_speed_rpm, self.free_angle_deg)
+        return Races(self.stiffnesses, self.power, force * self.outward_share)
+
+    @property
+    def outward_share(self) -> float:
+        """Return the load of the outer race over the centrifugal force that causes it."""
+        return 1.0
 
     def _place(
         self,
@@ -71,9 +108,13 @@ class RollingBearing(BearingMotion):
         outer_speed_rpm: float = 0.0,
         ring: str = "inner",
         options: Mapping[str, Any] | None = None,
+        has_centrifugal_load: bool = False,
         **loads: float,
     ) -> list[ElementContact]:
-        """Return the contacts of all elements that bear load with one ring.
+        """Return the contacts of all elements between both rings that bear load with one of them.
+
+        Elements outside the load zone are left out. Centrifugal force presses them on the outer
+        ring.
 
         Parameters
         ----------
@@ -85,6 +126,9 @@ class RollingBearing(BearingMotion):
             The ring.
         options : mapping, optional
             Options of :class:`ehlwave.Contact`, such as ``heat``.
+        has_centrifugal_load : bool
+            Whether the outer ring bears the centrifugal force of the elements as well, which ISO
+            16281 leaves out.
         **loads
             ``radial_load_n``, and ``axial_load_n`` of balls.
 
@@ -95,17 +139,25 @@ class RollingBearing(BearingMotion):
             ``contact``.
         """
         chosen(ring, "ring", RINGS, type(self).__name__)
-        zone = self.load_zone(**loads)
+        speeds = (inner_speed_rpm, outer_speed_rpm)
+        zone = self._zone(loads, speeds if has_centrifugal_load else (0.0, 0.0))
+        angles = self._angles(zone)
+        return [
+            self._place(ring, angle, float(load), float(alpha), speeds, oil, options or {})
+            for angle, load, alpha in zip(
+                angles.tolist(), *zone.loads_at(angles, ring), strict=True
+            )
+        ]
+
+    def _zone(self, loads: Mapping[str, Any], speeds_rpm: tuple[float, float]) -> LoadZone:
+        return self.load_zone(**loads, inner_speed_rpm=speeds_rpm[0], outer_speed_rpm=speeds_rpm[1])
+
+    def _angles(self, zone: LoadZone) -> Floats:
+        """Return the angles of the elements that bear load, above -180 to 180 degrees."""
         angles = 360 * np.arange(self.elements) / self.elements
         angles = np.where(angles > 180, angles - 360, angles)
-        every, alphas = zone.loads_at(angles)
-        found = zip(angles, every, alphas, strict=True)
-        speeds = (inner_speed_rpm, outer_speed_rpm)
-        return [
-            self._place(ring, float(angle), float(load), float(alpha), speeds, oil, options or {})
-            for angle, load, alpha in found
-            if load > LEAST_LOAD * every.max()
-        ]
+        loads = zone.loads_at(angles)[0]
+        return np.asarray(angles[loads > LEAST_LOAD * loads.max()])
 
     def places(
         self,
@@ -135,6 +187,7 @@ class RollingBearing(BearingMotion):
         outer_speed_rpm: float = 0.0,
         points: int = 9,
         rings: tuple[str, ...] = RINGS,
+        has_centrifugal_load: bool = False,
         **asked: Any,  # noqa: ANN401
     ) -> xr.Dataset:
         """Return films, roughness and stresses over the load zone of both rings.
@@ -147,6 +200,8 @@ class RollingBearing(BearingMotion):
             Angles, evenly spread over 95 % of the loaded part.
         rings : tuple of str
             Rings that are answered.
+        has_centrifugal_load : bool
+            As of :meth:`contacts`. A warning appears without it where it matters.
         **asked
             ``radial_load_n``, ``axial_load_n``; ``trace``, ``second``, ``heat``, ``stress``,
             ``oil_over_flooded``, ``reading`` of :class:`ehlwave.elements.answers.Questions`. The
@@ -162,16 +217,18 @@ class RollingBearing(BearingMotion):
         own = ("radial_load_n", "axial_load_n", "is_free_to_tilt")
         loads = {name: asked.pop(name) for name in own if name in asked}
         questions = Questions(**asked)
-        zone = self.load_zone(**loads)
+        speeds = (inner_speed_rpm, outer_speed_rpm)
+        zone = self._zone(loads, speeds if has_centrifugal_load else (0.0, 0.0))
         half = EDGE * zone.half_width_deg
         angles = np.linspace(-half, half, points)
-        speeds = (inner_speed_rpm, outer_speed_rpm)
         tables = []
         for ring in rings:
             places = [
                 self._place(ring, a, q, alpha, speeds, oil, questions.options)
                 for a, q, alpha in zip(
-                    angles.tolist(), *(one.tolist() for one in zone.loads_at(angles)), strict=True
+                    angles.tolist(),
+                    *(one.tolist() for one in zone.loads_at(angles, ring)),
+                    strict=True,
                 )
             ]
             tables.append(table_of(places, questions, "angle_deg", {"angle_deg": angles.tolist()}))
@@ -179,7 +236,7 @@ class RollingBearing(BearingMotion):
         found["angle_deg"].attrs |= {"units": "degree", "long_name": "angle from the load"}
         if self.variants and "central_film_m" in found:
             widen(found, self._inside_error(loads, speeds, oil))
-        found.attrs |= self._attributes(zone, found, loads, speeds, oil)
+        found.attrs |= self._attributes(zone, found, loads, speeds, oil, has_centrifugal_load)
         return found
 
     def _inside_error(
@@ -199,18 +256,25 @@ class RollingBearing(BearingMotion):
         loads: Mapping[str, float],
         speeds_rpm: tuple[float, float],
         oil: Oil,
+        has_force: bool,
     ) -> dict[str, Any]:
         relative = speeds_rpm[0] - speeds_rpm[1]
         factor = float(found["thermal_film_factor"].min()) if "thermal_film_factor" in found else 1
-        angles = 360 * np.arange(self.elements) / self.elements
-        every, alphas = zone.loads_at(angles)
+        angles = self._angles(zone)
         loaded = [
             self._place(ring, 0.0, float(load), float(alpha), speeds_rpm, oil, {})
-            for load, alpha in zip(every, alphas, strict=True)
             for ring in RINGS
-            if load > LEAST_LOAD * every.max()
+            for load, alpha in zip(*zone.loads_at(angles, ring), strict=True)
         ]
-        centrifugal = self.centrifugal_load_n(*speeds_rpm, float(alphas[every.argmax()]))
+        centrifugal = self.centrifugal_load_n(*speeds_rpm, self.free_angle_deg)
+        share = centrifugal / float(zone.loads_at(angles)[0].max())
+        if share > LARGEST_LEFT_OUT and not has_force:
+            warnings.warn(
+                f"the centrifugal force of an element is {100 * share:.2g} % of the largest load, "
+                "which the loads leave out: has_centrifugal_load = true adds it",
+                ExtrapolationWarning,
+                stacklevel=4,
+            )
         rolling = rolling_power_w(loaded) * (1.0 if math.isnan(factor) else factor)
         return {
             "element": type(self).__name__,
@@ -227,7 +291,7 @@ class RollingBearing(BearingMotion):
             "contacts by their curvature and spin, cage, seals and churning",
             "time_between_overrollings_s": self.overrolling_time_s(*speeds_rpm),
             "centrifugal_load_n": centrifugal,
-            "centrifugal_over_load": centrifugal / float(every.max()),
+            "centrifugal_over_load": share,
             "kappa_iso_281": viscosity_ratio(oil, relative, self.pitch_diameter_m),
             "unanswered_places": unanswered(found),
             "worst": "; ".join(worst_places(found).values()),

@@ -74,7 +74,7 @@ class BearingMotion:
     ) -> float:
         """Return the centrifugal force of an element, m omega_c^2 d_m/2.
 
-        Loads leave it out. The outer ring of a deep groove bearing bears it beside its load.
+        With ``has_centrifugal_load`` the outer ring bears it beside its load.
 
         Parameters
         ----------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ehlwave.contact.bodies import Body
 from ehlwave.elements.given import at_least
-from ehlwave.elements.load_zone import ROLLER_POWER, LoadZone, radial_zone
+from ehlwave.elements.load_zone import LoadZone, radial_zone
 from ehlwave.elements.roller_bearing import RollerBearing
 from ehlwave.errors import SurfaceError
 
@@ -75,16 +75,24 @@ class CylindricalRollerBearing(RollerBearing):
         race = make(self.element_diameter_m, self.pitch_diameter_m, **self.elastic)
         return race, Body(radius_x_m=self.element_diameter_m / 2, **self.elastic)
 
-    def load_zone(self, radial_load_n: float = 0.0) -> LoadZone:
+    def load_zone(
+        self,
+        radial_load_n: float = 0.0,
+        inner_speed_rpm: float = 0.0,
+        outer_speed_rpm: float = 0.0,
+    ) -> LoadZone:
         """Return the loads around the bearing.
 
         Parameters
         ----------
         radial_load_n : float
             Radial load.
+        inner_speed_rpm, outer_speed_rpm : float
+            Speeds of the rings, for the centrifugal force of the rollers.
         """
         name = type(self).__name__
         load = at_least(radial_load_n, "radial_load_n", name)
         if load == 0:
             raise SurfaceError(f"{name}: radial_load_n is missing: give it, such as 10000")
-        return radial_zone(load, self.elements, self.clearance_m, self.stiffness, ROLLER_POWER)
+        races = self.races(inner_speed_rpm, outer_speed_rpm)
+        return radial_zone(load, self.elements, self.clearance_m, races)

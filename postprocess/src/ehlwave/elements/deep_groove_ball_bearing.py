@@ -13,10 +13,11 @@ class DeepGrooveBallBearing(BallBearing):
     Radii: Rx = (D_w/2)(1 -+ gamma), gamma = D_w/d_m, 1/Ry = 2/D_w - 1/(f D_w). Loads: the
     equilibrium of the inner ring, K (d cos - s/2)^(3/2), ISO 16281:2008. Speeds: no slip.
 
-    Assumptions: rings keep their form; a ball lies in the direction of the load; no centrifugal
-    loads, which matter above a tenth of the largest load (``centrifugal_over_load``); both surfaces
-    of a contact have the same speed, so that friction by the curvature of the groove and by spin is
-    left out.
+    ISO 16281 leaves out the centrifugal force; ``has_centrifugal_load=True`` adds it.
+
+    Assumptions: rings keep their form; a ball lies in the direction of the load; both surfaces of a
+    contact have the same speed, so that friction by the curvature of the groove and by spin is left
+    out; gyroscopic moments are left out.
 
     Parameters
     ----------

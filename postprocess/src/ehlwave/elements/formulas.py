@@ -164,10 +164,12 @@ FORMULAS = {
         "time between overrollings", "ms", 1e3, "60/(Z |n_i - n_cage|)"
     ),
     "centrifugal_load_n": _number(
-        "centrifugal force of an element", "m omega_c^2 d_m/2; loads leave it out", "N"
+        "centrifugal force of an element",
+        "m omega_c^2 d_m/2; loads contain it with has_centrifugal_load",
+        "N",
     ),
     "centrifugal_over_load": _number(
-        "centrifugal force over the largest load", "loads and films hold where it is below 0.1"
+        "centrifugal force over the largest load", "load of an element on the inner ring"
     ),
     "kappa_iso_281": _number(
         "kappa of ISO 281",

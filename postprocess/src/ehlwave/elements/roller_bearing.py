@@ -7,6 +7,7 @@ from typing import Any
 from ehlwave.elements.bearing import RollingBearing
 from ehlwave.elements.given import above, count
 from ehlwave.elements.hertz import reduced_modulus
+from ehlwave.elements.load_zone import ROLLER_POWER
 from ehlwave.elements.material import elastic_of
 from ehlwave.errors import SurfaceError
 
@@ -20,6 +21,7 @@ class RollerBearing(RollingBearing):
 
     roller_length_m: float
     """Effective length."""
+    power = ROLLER_POWER
 
     def _take(self, given: dict[str, Any]) -> None:
         """Check and keep the arguments of all roller bearings."""
@@ -53,8 +55,12 @@ class RollerBearing(RollingBearing):
         return self.roller_length_m
 
     @property
-    def stiffness(self) -> float:
-        """Return c_L, N/m^(10/9), in proportion to E'."""
+    def stiffnesses(self) -> tuple[float, float]:
+        """Return the stiffness of both contacts, N/m^(10/9), which share the approach evenly.
+
+        Both in series have c_L in proportion to E'.
+        """
         modulus = reduced_modulus(*self.bodies("inner", 0.0))
-        iso = ISO_STIFFNESS * (1e3 * self.roller_length_m) ** (8 / 9) * 1e3 ** (10 / 9)
-        return float(iso * modulus / ISO_MODULUS_PA)
+        iso = ISO_STIFFNESS * (1e3 * self.roller_length_m) ** (8 / 9) * 1e3**ROLLER_POWER
+        own = float(iso * modulus / ISO_MODULUS_PA * 2**ROLLER_POWER)
+        return own, own

@@ -21,8 +21,8 @@ class TaperedRollerBearing(RollerBearing):
     cos(beta))/(2 cos(alpha_o)). gamma = D cos(beta)/d_m.
 
     Assumptions: apexes of all cones meet, so that the rollers roll; the contact at the rib is left
-    out, and with it a part of the friction; both races bear the same load, which holds for a rib
-    force along the roller's axis; the load is even over the length.
+    out, and with it a part of the friction; the rib's force is along the roller's axis, so that
+    both races bear the same load but for the centrifugal force; the load is even over the length.
 
     Parameters
     ----------
@@ -68,12 +68,19 @@ class TaperedRollerBearing(RollerBearing):
         )
         if not self.outer_angle_deg < 60:
             raise SurfaceError(f"{name}: outer_angle_deg = {outer_angle_deg:g} must be below 60")
+        self.free_angle_deg = self.axis_angle_deg
         self._take({key: value for key, value in locals().items() if key != "self"})
 
     @property
     def axis_angle_deg(self) -> float:
         """Return beta, the angle of the roller's axis."""
         return (self.inner_angle_deg + self.outer_angle_deg) / 2
+
+    @property
+    def outward_share(self) -> float:
+        """Return cos(beta)/cos(nu): the rib bears the part of the force along the axis."""
+        half_cone = math.radians(self.outer_angle_deg - self.inner_angle_deg) / 2
+        return math.cos(math.radians(self.axis_angle_deg)) / math.cos(half_cone)
 
     def bodies(self, ring: str, contact_angle_deg: float = 0.0) -> tuple[Body, Body]:
         """Return race and roller.
@@ -97,13 +104,21 @@ class TaperedRollerBearing(RollerBearing):
         roller = self.element_diameter_m / 2 / math.cos(half_cone)
         return Body(radius_x_m=radius, **self.elastic), Body(radius_x_m=roller, **self.elastic)
 
-    def load_zone(self, radial_load_n: float = 0.0, axial_load_n: float = 0.0) -> LoadZone:
-        """Return the loads around the bearing, normal to the outer race.
+    def load_zone(
+        self,
+        radial_load_n: float = 0.0,
+        axial_load_n: float = 0.0,
+        inner_speed_rpm: float = 0.0,
+        outer_speed_rpm: float = 0.0,
+    ) -> LoadZone:
+        """Return the loads around the bearing, normal to the races.
 
         Parameters
         ----------
         radial_load_n, axial_load_n : float
             Loads; the axial load is needed, since a radial load pushes the rings apart.
+        inner_speed_rpm, outer_speed_rpm : float
+            Speeds of the rings, for the centrifugal force of the rollers.
         """
         name = type(self).__name__
         radial = at_least(radial_load_n, "radial_load_n", name)
@@ -115,6 +130,5 @@ class TaperedRollerBearing(RollerBearing):
                 f"{name}: axial_load_n is missing: a radial load alone pushes the rings of a "
                 f"tapered bearing apart: give it, such as {usual}"
             )
-        return tapered_zone(
-            (radial, axial), self.elements, angle, self.stiffness, self.axis_angle_deg
-        )
+        races = self.races(inner_speed_rpm, outer_speed_rpm)
+        return tapered_zone((radial, axial), self.elements, angle, races, self.axis_angle_deg)
