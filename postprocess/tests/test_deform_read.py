@@ -247,7 +247,11 @@ def test_empty_cells_are_missing_heights(tmp_path: Path) -> None:
         ("t.csv", "x_um,z_um\n" + rows(np.zeros(9), np.ones(9)), "not equidistant"),
         ("t.csv", "x_um,z_um\n1,2\n3,four\n", "could not convert string 'four'"),
         ("t.csv", "x_um,z_um\n1,2\n3\n", "columns changed"),
-        ("t.csv", rows(2 * np.arange(40), HEIGHTS), "unit its heights are: set height_unit="),
+        (
+            "t.csv",
+            rows(2 * np.arange(40), HEIGHTS),
+            "states no unit of its heights: set height_unit=",
+        ),
         ("t.csv", "x,z_um\n" + rows(np.arange(9.0), np.ones(9)), "its lengths are"),
         ("t.csv", "z_um\n" + rows(HEIGHTS), "set length_unit="),
         ("t.csv", "x_nm,z_um\n" + rows(np.arange(40), HEIGHTS), "root mean square slope"),

@@ -33,8 +33,8 @@ def response_of(
     if not bool(transfer.is_covered(qx, qy)[0]):
         reason = transfer.outside_reason.partition(EXTRAPOLATED)[0]
         raise RangeError(
-            f"wavelength_over_a = {wavelength_over_a:.5g} at angle_deg = {angle_deg:.5g} lies "
-            f"outside the law: {reason}"
+            f"wavelength_over_a = {wavelength_over_a:.5g} at angle_deg = {angle_deg:.5g}: the law "
+            f"leaves out waves {reason}"
         )
     error = transfer.error(qx, qy)
     return Response(
