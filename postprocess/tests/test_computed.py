@@ -53,8 +53,14 @@ HEAT = ehlwave.Heat(
 
 
 @pytest.fixture(autouse=True)
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Give each test a cache of its own."""
+def shared(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Give all tests one cache, as they ask for the same contacts."""
+    monkeypatch.setenv(cache.FOLDER, str(tmp_path_factory.getbasetemp() / "computed"))
+
+
+@pytest.fixture
+def folder(shared: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Give a test a cache of its own."""
     monkeypatch.setenv(cache.FOLDER, str(tmp_path / "cache"))
     return tmp_path / "cache"
 
@@ -120,7 +126,7 @@ def test_other_laws_of_the_oil_are_written(tmp_path: Path) -> None:
 
 def test_a_film_is_that_of_a_finer_grid() -> None:
     film = computed_film(inner_race())
-    keys = case_keys(inner_race()) | {"scheme": "fitted", "cells_x": 768, "cells_y": 768}
+    keys = case_keys(inner_race()) | {"scheme": "fitted", "cells_x": 512, "cells_y": 512}
     fine = run_case(keys)
     assert film.central_moes == pytest.approx(fine["central_film_moes"], rel=film.central_error)
     smallest = fine["minimum_film"] * fine["central_film_moes"] / fine["central_film"]
@@ -130,7 +136,7 @@ def test_a_film_is_that_of_a_finer_grid() -> None:
 
 def test_films_agree_with_the_atlas() -> None:
     random = np.random.default_rng(1)
-    for _ in range(12):
+    for _ in range(6):
         m, l, d = 10 ** random.uniform(1.5, 2.8), random.uniform(4, 16), random.uniform(0.2, 1)  # noqa: E741
         contact = ehlwave.Contact(load_parameter_m=m, lubricant_parameter_l=l, radius_ratio_d=d)
         atlas, film = contact.film(), computed_film(contact.conditions)
@@ -138,12 +144,12 @@ def test_films_agree_with_the_atlas() -> None:
         assert film.central_moes == pytest.approx(atlas.central_moes, rel=error)
 
 
-@pytest.mark.parametrize("angle", [0.0, 90.0])
-def test_responses_agree_with_the_atlas(angle: float) -> None:
+def test_responses_along_the_motion_agree_with_the_atlas() -> None:
+    """The next test compares waves across the motion with finer grids."""
     contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10, radius_ratio_d=1)
     found = ComputedTransfer(contact.conditions)
     for wave in (0.15, 0.5, 1.3, 3.0):
-        atlas, computed = contact.response(wave, angle), found.response(wave, angle)
+        atlas, computed = contact.response(wave, 90.0), found.response(wave, 90.0)
         assert abs(atlas.film - computed.film) < atlas.error + computed.error
 
 
@@ -169,8 +175,9 @@ def test_interpolated_waves_are_those_of_finer_grids() -> None:
 
 
 def test_starved_contacts_are_computed() -> None:
-    c = replace(inner_race(), oil_over_flooded=0.7)
-    film, flooded = computed_film(c), computed_film(inner_race())
+    ball = ehlwave.Contact(load_parameter_m=60, lubricant_parameter_l=8, radius_ratio_d=0.5)
+    c = replace(ball.conditions, oil_over_flooded=0.7)
+    film, flooded = computed_film(c), computed_film(ball.conditions)
     assert 0.6 < film.central_moes / flooded.central_moes < 0.75
     with pytest.raises(RangeError, match="pure rolling"):
         ComputedTransfer(replace(c, slip_parameter=1.2))
@@ -182,7 +189,7 @@ def test_short_waves_of_starved_contacts_are_computed() -> None:
     c = replace(contact.conditions, oil_over_flooded=0.6)
     found = ComputedTransfer(c).response(0.12, 0.0)
     wave = {"orientation": "custom", "wavelength_x_over_a": 0.12, "wavelength_y_over_a": 0.0}
-    fine = {"response": "harmonic", "cells_x": 896, "cells_y": 96, "mean_rise": False}
+    fine = {"response": "harmonic", "cells_x": 640, "cells_y": 64, "mean_rise": False}
     row = run_case(case_keys(c) | wave | fine)
     true = complex(row["harmonic_extrapolated_real"], row["harmonic_extrapolated_imaginary"])
     assert abs(found.film - true) < found.error < 0.05
@@ -313,8 +320,9 @@ def test_folders_that_cannot_be_written_keep_nothing(
 
 
 def test_without_programs_the_message_has_file_and_command(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    assert not folder.exists()
     monkeypatch.setenv("EHLWAVE_PROGRAMS", str(tmp_path))
     with pytest.raises(ProgramError) as error:
         computed_film(inner_race())

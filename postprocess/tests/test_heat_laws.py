@@ -13,6 +13,7 @@ from ehlwave.contact import conditions_from_keys
 from ehlwave.contact.materials import MATERIALS
 from ehlwave.contact.oil_heat import usual_heat
 from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.laws import light_lines
 from ehlwave.laws.heat_laws import (
     COLD_BAR,
     FRICTION_BAR,
@@ -21,6 +22,7 @@ from ehlwave.laws.heat_laws import (
 )
 from ehlwave.laws.sheared_film import Sliding, shear_isothermal, shear_warm
 from ehlwave.laws.warm_films import fitted
+from studies.heated_contacts import dimensional_keys, heat_of
 
 ROOT = Path(__file__).resolve().parents[2]
 REFERENCE = ROOT / "tests/verification/reference/heat_line.csv"
@@ -87,6 +89,28 @@ def test_errors_of_warm_films_hold_in_the_record(name: str) -> None:
     assert fitted()[f"{name}_error"] == pytest.approx([float(row[f"e{i}"]) for i in range(3)])
     assert float(row["within"]) >= 0.95
     assert float(row["beyond_1.5"]) <= 0.01
+
+
+def test_light_lines_hold_in_their_record() -> None:
+    """Every eighth light line of the record: films and friction without programs."""
+    with (ROOT / "postprocess/record/heat/ends_law.csv").open() as file:
+        recorded = next(csv.DictReader(file))
+    coefficients = [float(recorded[f"c{i + 1}"]) for i in range(5)]
+    assert coefficients == pytest.approx(light_lines.COEFFICIENTS, rel=1e-3)
+    assert 0.85 * light_lines.FRICTION_BAR < float(recorded["within_95"]) < light_lines.FRICTION_BAR
+    with (ROOT / "postprocess/record/heat/ends.csv").open() as file:
+        rows = [row for row in csv.DictReader(file) if row["group"] == "light"][::8]
+    held = []
+    for row in rows:
+        case = {name: float(value) for name, value in row.items() if value and name != "group"}
+        film = ehlwave.Contact(**dimensional_keys(case), heat=heat_of(case)).film(by="laws")
+        law = film.heated
+        held.append(abs(law.film_factor / case["central"] - 1) <= law.film_error)
+        held.append(abs(law.minimum_factor / case["smallest"] - 1) <= law.minimum_error)
+        if "friction" in case:
+            held.append(abs(film.friction / case["friction"] - 1) <= film.friction_error)
+    assert len(held) >= 30
+    assert sum(held) >= len(held) - 2
 
 
 def test_a_warm_rolling_line_of_unlike_bodies() -> None:

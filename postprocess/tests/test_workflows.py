@@ -1,7 +1,9 @@
 """Workflows of Snakemake and Dask: both examples run, and give the same numbers."""
 
+import contextlib
 import csv
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -12,26 +14,41 @@ from test_examples import EXAMPLES, needs_programs
 import ehlwave
 from ehlwave.programs.programs import find_program
 
+LONGEST_S = 500
+"""Seconds of a workflow, less than the limit of a test."""
+
 
 def run(folder: Path, *command: str) -> str:
-    """Run a command with the programs on PATH; return its output."""
+    """Run a command with the programs on PATH; return its output.
+
+    The output goes to files, and all processes of the command end with it: workers that are left
+    over would hold a pipe open, and the test would wait for them.
+    """
     programs = find_program("ehlwave-case").parent
     path = {
         "PATH": f"{programs}:{os.environ['PATH']}",
         "PYTHONPATH": str(Path(ehlwave.__file__).parents[1]),
         "HOME": str(folder),
     }
-    done = subprocess.run(
-        command,
-        cwd=folder,
-        env={**os.environ, **path},
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=240,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout
+    said, warned = folder / "said", folder / "warned"
+    with said.open("w") as out, warned.open("w") as err:
+        process = subprocess.Popen(
+            command,
+            cwd=folder,
+            env={**os.environ, **path},
+            stdin=subprocess.DEVNULL,
+            stdout=out,
+            stderr=err,
+            start_new_session=True,
+        )
+        try:
+            status = process.wait(LONGEST_S)
+        finally:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+    assert status == 0, said.read_text() + warned.read_text()
+    return said.read_text()
 
 
 def check(rows: dict[float, tuple[float, float]]) -> None:

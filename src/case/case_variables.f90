@@ -26,12 +26,15 @@ module ehlwave_case_variables
    real(dp), parameter :: step = 1e-5_dp   !! step in the logarithm of a key
 
    character(len=*), parameter :: slide = 'slide_to_roll_ratio'
-   character(len=*), parameter :: steady_groups(3) = [character(len=10) :: 'conditions', 'lubricant', 'inlet']
+   character(len=*), parameter :: steady_groups(4) = [character(len=10) :: 'conditions', 'lubricant', 'inlet', &
+      'touching']
    !> Keys of marches alone, and of the temperatures of marches.
    character(len=*), parameter :: not_steady(3) = [character(len=17) :: 'oil_change_factor', 'oil_change_start', &
       'oil_change_length']
    character(len=*), parameter :: wave_keys(4) = [character(len=19) :: 'wavelength_over_a', 'wavelength_x_over_a', &
       'wavelength_y_over_a', 'natural_frequency']
+   character(len=*), parameter :: resting_keys(4) = [character(len=19) :: wave_keys(:3), 'amplitude_m']
+   character(len=*), parameter :: speed = 'mean_speed_m_per_s'
 
 contains
 
@@ -71,8 +74,11 @@ contains
       is_variable = abs(value%number) > 0 .and. (key%is_written .or. key%name == slide)
       if (any(key%group == steady_groups)) then
          is_variable = is_variable .and. .not. any(key%name == not_steady)
+         if (key%name == speed) is_variable = is_variable .and. .not. case%effects%touching%data%seeks_speed()
+      else if (case%responds()) then
+         is_variable = is_variable .and. any(key%name == wave_keys)
       else
-         is_variable = is_variable .and. case%responds() .and. any(key%name == wave_keys)
+         is_variable = is_variable .and. case%touches_at_rest() .and. any(key%name == resting_keys)
       end if
    end function is_variable
 
@@ -87,7 +93,7 @@ contains
       integer, parameter :: sides(3) = [0, -1, 1]
 
       variable%name = list%keys(k)%name
-      variable%is_of_waves = .not. any(list%keys(k)%group == steady_groups)
+      variable%is_of_waves = case%responds() .and. .not. any(list%keys(k)%group == steady_groups)
       do n = 1, size(sides)
          call variable%place_variants(step, sides(n))
          do i = 1, size(variable%variants)
@@ -126,10 +132,11 @@ contains
       variant%rheology = case_lubricant(other, variant%conditions)
       files = case_files(other)
       call read_oil(other%effects%starvation, variant%conditions, variant%inlet, files, error)
-      if (allocated(error) .or. .not. case%responds()) return
+      variant%touching = other%effects%touching%data
+      if (allocated(error) .or. .not. (case%responds() .or. case%touches_at_rest())) return
       call plan_surfaces(other, variant%conditions, surfaces, files, error)
       if (allocated(error)) return
-      variant%waves = surfaces%list(1)
+      variant%waves = surfaces%list
       variant%natural_frequency = other%natural_frequency
    end subroutine vary
 

@@ -25,7 +25,7 @@ contains
       else if (case%end_time > 0) then
          call raise(error, '&output sensitivities: marches in time are not differentiated: remove them, or '// &
             '&dynamics end_time')
-      else if (case%is_wavy() .and. .not. case%responds()) then
+      else if (case%is_wavy() .and. .not. (case%responds() .or. case%touches_at_rest())) then
          call raise(error, "&output sensitivities with &waviness response = '"//trim(case%response)// &
             "': marches in time and standing patterns are not differentiated: set response = 'harmonic', whose "// &
             'Ad/Ai is, or remove sensitivities')

@@ -68,6 +68,7 @@ module ehlwave_case_definition
       procedure :: has_linear_range
       procedure :: moves
       procedure :: marches
+      procedure :: touches_at_rest
       procedure :: responds
    end type case_t
 
@@ -96,6 +97,12 @@ contains
          is_rough = any(both%is_rough())
       end associate
    end function is_rough
+
+   !> Whether the steady state is one of waves at rest that solids may bear.
+   elemental logical function touches_at_rest(self)
+      class(case_t), intent(in) :: self
+      touches_at_rest = self%effects%touching%is_given() .and. self%is_rough() .and. .not. self%marches()
+   end function touches_at_rest
 
    !> Whether a surface has measured heights.
    elemental logical function has_heights(self)

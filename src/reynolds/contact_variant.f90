@@ -7,6 +7,7 @@ module ehlwave_contact_variant
    use ehlwave_inlet_oil, only: inlet_oil_t
    use ehlwave_kinds, only: dp
    use ehlwave_rheology, only: rheology_t
+   use ehlwave_touching_data, only: touching_data_t
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
@@ -26,7 +27,8 @@ module ehlwave_contact_variant
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       type(inlet_oil_t) :: inlet
-      type(waviness_t) :: waves           !! waves of the first rough surface
+      type(waviness_t), allocatable :: waves(:)   !! waves of the rough surfaces
+      type(touching_data_t) :: touching
       real(dp) :: natural_frequency = 0
    end type contact_variant_t
 

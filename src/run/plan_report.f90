@@ -3,6 +3,8 @@ module ehlwave_plan_report
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_error_account, only: errors_text
+   use ehlwave_grid_choice, only: smallest_size
+   use ehlwave_hierarchy, only: fewest_cells
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: is_beyond_linear, linear_limit_text
    use ehlwave_memory_plan, only: memory_shortage
@@ -17,6 +19,10 @@ module ehlwave_plan_report
    implicit none (type, external)
    private
    public :: print_plan
+
+   !> Cells of the coarsest grid above which solves are slow. Measured (M = 100, D = 1): 258 x 258 cells, which half
+   !> a domain cannot halve, take 445 work units, 256 x 256 take 50.
+   integer, parameter :: many_coarsest = 100
 
 contains
 
@@ -73,6 +79,11 @@ contains
                ' cells on the whole '// &
                'domain, hX = '//to_text(plan%hx, 5)//', hY = '//to_text(plan%hy, 5)//' ('//plan%grid_reason//')'
          end if
+         if (coarsest_cells(plan) > many_coarsest) write (unit, '(a)') '             WARNING: these numbers can '// &
+            'hardly be halved ('//to_text(coarsest_cells(plan))//' cells on the coarsest grid): several times '// &
+            'the work of '// &
+            to_text(smallest_size(real(plan%cells_x, dp), huge(1)))//' x '// &
+            to_text(smallest_size(real(plan%cells_y, dp), huge(1)))
          write (unit, '(a)') 'Deformation  '//trim(merge('FFT ', 'MLMI', plan%deformation == 'fft'))// &
             ' on the finest grid ('// &
             trim(merge('the faster one', 'asked for     ', case%deformation == 'auto'))//'), method '// &
@@ -204,5 +215,20 @@ contains
       if (plan%resolution%points_y > 0) text = text//', along Y '//to_text(plan%resolution%points_y, 4)
       if (plan%resolution%samples > 0) text = text//', time steps per wave '//to_text(plan%resolution%samples, 4)
    end function resolution_text
+
+   !> Cells of the coarsest grid along its longer side, as `hierarchy_t` halves them; 0 for lines, whose factors are
+   !> exact.
+   pure integer function coarsest_cells(plan) result(most)
+      type(case_plan_t), intent(in) :: plan
+      integer :: rows(2)
+      most = 0
+      if (plan%conditions%is_line()) return
+      rows = [plan%cells_x, plan%cells_y]
+      if (plan%is_half) rows(2) = rows(2)/2
+      do while (all(modulo(rows, 2) == 0 .and. rows/2*[1, merge(2, 1, plan%is_half)] >= fewest_cells))
+         rows = rows/2
+      end do
+      most = maxval(rows*[1, merge(2, 1, plan%is_half)])
+   end function coarsest_cells
 
 end module ehlwave_plan_report

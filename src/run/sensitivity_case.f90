@@ -22,10 +22,9 @@ module ehlwave_sensitivity_case
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
    use ehlwave_steady_gradient, only: steady_gradient_t
-   use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
-   public :: find_response_sensitivities, find_smooth_sensitivities
+   public :: all_variables, find_response_sensitivities, find_smooth_sensitivities, take_gradient
 
    character(len=*), parameter :: oil_names(2) = [character(len=6) :: 'alpha', 'stress']
    real(dp), parameter :: oil_step = 1e-5_dp
@@ -41,11 +40,11 @@ contains
       type(contact_variable_t), allocatable :: variables(:)
       type(gradient_t) :: gradient
       real(dp) :: values(smooth_results)
-      integer :: n, x
+      integer :: n
 
-      allocate (variables, source=all_variables(case, plan, steady))
-      allocate (result%by_key(size(variables) - size(oil_names)))
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
+         allocate (variables, source=all_variables(case, plan, level%problem))
+         allocate (result%by_key(size(variables) - size(oil_names)))
          call take_results(level%problem, level%state, level%state, values)
          call steady%differentiate(case, variables, ieee_is_finite(values))
          associate (work => pack(steady%gradient%adjoints%work, ieee_is_finite(values)))
@@ -56,49 +55,55 @@ contains
             gradient = gradient_t(name=variables(n)%name)
             if (allocated(variables(n)%variants)) &
                call differentiate_results(level, variables(n), n, steady%gradient, gradient)
-            x = n - size(result%by_key)
-            if (x < 1) then
-               result%by_key(n) = gradient
-            else
-               result%by_oil(x)%film = gradient%of(of_central_film)
-            end if
+            call take_gradient(gradient, n, result)
          end do
       end associate
    end subroutine find_smooth_sensitivities
 
+   !> Keep the derivatives by a variable.
+   subroutine take_gradient(gradient, n, result)
+      type(gradient_t), intent(in) :: gradient
+      integer, intent(in) :: n                               !! its place among the variables
+      type(case_result_t), intent(inout) :: result           !! `by_key` has room for all keys
+      if (n <= size(result%by_key)) then
+         result%by_key(n) = gradient
+      else
+         result%by_oil(n - size(result%by_key))%film = gradient%of(of_central_film)
+      end if
+   end subroutine take_gradient
+
    !> The variables of a case, with the variables of any oil at the end.
-   function all_variables(case, plan, steady) result(variables)
+   function all_variables(case, plan, problem) result(variables)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      type(shared_steady_t), intent(in) :: steady
+      type(contact_problem_t), intent(in) :: problem
       type(contact_variable_t), allocatable :: variables(:)
       type(contact_variable_t) :: oil(size(oil_names))
       integer :: k, x
 
-      associate (problem => steady%multigrid%levels(size(steady%multigrid%levels))%problem)
-         do x = 1, size(oil)
-            oil(x)%name = oil_names(x)
-            if (x == 1 .and. .not. problem%rheology%depends_on_alpha()) cycle
-            if (x == 2 .and. problem%rheology%is_newtonian()) cycle
-            call oil(x)%place_variants(oil_step, 0)
-            do k = 1, size(oil(x)%variants)
-               associate (variant => oil(x)%variants(k), factor => exp(oil(x)%variants(k)%place))
-                  variant%conditions = problem%conditions
-                  variant%inlet = plan%effects%starvation%oil
-                  if (plan%responds) variant%waves = plan%surfaces%list(1)
-                  variant%natural_frequency = case%natural_frequency
-                  if (x == 1) then
-                     variant%conditions%alpha_per_pa = factor*problem%conditions%alpha_per_pa
-                     variant%conditions%l = factor*problem%conditions%l
-                     variant%conditions%alphabar = factor*problem%conditions%alphabar
-                     variant%rheology = problem%rheology%with_alpha(factor)
-                  else
-                     variant%rheology = problem%rheology%with_stress(factor)
-                  end if
-               end associate
-            end do
+      do x = 1, size(oil)
+         oil(x)%name = oil_names(x)
+         if (x == 1 .and. .not. problem%rheology%depends_on_alpha()) cycle
+         if (x == 2 .and. problem%rheology%is_newtonian()) cycle
+         call oil(x)%place_variants(oil_step, 0)
+         do k = 1, size(oil(x)%variants)
+            associate (variant => oil(x)%variants(k), factor => exp(oil(x)%variants(k)%place))
+               variant%conditions = problem%conditions
+               variant%inlet = plan%effects%starvation%oil
+               variant%touching = case%effects%touching%data
+               variant%waves = plan%surfaces%list
+               variant%natural_frequency = case%natural_frequency
+               if (x == 1) then
+                  variant%conditions%alpha_per_pa = factor*problem%conditions%alpha_per_pa
+                  variant%conditions%l = factor*problem%conditions%l
+                  variant%conditions%alphabar = factor*problem%conditions%alphabar
+                  variant%rheology = problem%rheology%with_alpha(factor)
+               else
+                  variant%rheology = problem%rheology%with_stress(factor)
+               end if
+            end associate
          end do
-      end associate
+      end do
       variables = [case_variables(case), oil]
    end function all_variables
 
@@ -135,8 +140,8 @@ contains
       complex(dp) :: change
       integer :: n, x
 
-      allocate (variables, source=all_variables(case, plan, steady))
       associate (levels => steady%multigrid%levels)
+         allocate (variables, source=all_variables(case, plan, levels(size(levels))%problem))
          result%transposed_work = result%transposed_work - steady%multigrid%work()
          call adjoint%find(steady%response, levels, plan%surfaces%list(1), response, adjoint_tolerance(case))
          result%transposed_work = result%transposed_work + steady%multigrid%work()

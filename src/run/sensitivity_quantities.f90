@@ -3,7 +3,7 @@ module ehlwave_sensitivity_quantities
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t, gradient_t, gradients, of_central_film, of_friction, of_minimum_film, &
-      of_phase, of_ratio, of_rolling_coefficient, of_rolling_force
+      of_phase, of_ratio, of_rolling_coefficient, of_rolling_force, of_share, of_speed
    use ehlwave_case_variables, only: variable_names
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_quantity, only: quantity_list_t
@@ -13,7 +13,7 @@ module ehlwave_sensitivity_quantities
 
    character(len=*), parameter :: result_names(gradients) = [character(len=30) :: 'central_film', 'minimum_film', &
       'friction_coefficient', 'rolling_resistance_coefficient', 'rolling_resistance', 'harmonic_ratio', &
-      'harmonic_phase']
+      'harmonic_phase', 'touching_share', 'mean_speed']
 
 contains
 
@@ -26,7 +26,7 @@ contains
 
       call add_by_oil(list, case, result)
       call list%add('sensitivity_solves', 'transposed linear solves of the derivatives: one for a result of the '// &
-         'smooth contact, a complex and two real ones for the response', result%transposed_solves, &
+         'contact, a complex and two real ones for the response', result%transposed_solves, &
          exists=case%sensitivities)
       call list%add('sensitivity_work_units', 'counted work units of one of them, on average', work_units(result), &
          exists=case%sensitivities)
@@ -82,6 +82,10 @@ contains
       call put(of_rolling_force, 'ln rolling_resistance', case%is_dimensional)
       call put(of_ratio, 'ln harmonic_ratio', case%responds())
       call put(of_phase, 'harmonic_phase', case%responds())
+      associate (touching => case%effects%touching%data)
+         call put(of_share, 'ln touching_share', touching%is_given() .and. .not. touching%seeks_speed())
+         call put(of_speed, 'ln mean_speed_m_per_s', touching%seeks_speed())
+      end associate
 
    contains
 

@@ -9,7 +9,7 @@ module ehlwave_touching_case
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
    use ehlwave_errors, only: error_t
    use ehlwave_given, only: given_t
-   use ehlwave_kinds, only: dp, no_value, pi
+   use ehlwave_kinds, only: dp, no_value
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_planned_case, only: case_plan_t, run_march
@@ -24,7 +24,8 @@ module ehlwave_touching_case
    use ehlwave_touching_march_state, only: most_meshes, touching_march_t
    use ehlwave_touching_newton, only: touching_solver_t
    use ehlwave_touching_account_result, only: error_of, state_of, touching_values_t
-   use ehlwave_touching_state, only: new_touching_law, prolonged, touching_state_t
+   use ehlwave_touching_sensitivity, only: find_touching_sensitivities
+   use ehlwave_touching_state, only: new_touching_law, prolonged, rough_at_rest, touching_state_t
    use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
    implicit none (type, external)
    private
@@ -90,15 +91,17 @@ contains
          result%friction_error = friction_error(case, plan, march%meshes(:n))
          call take_solution(case, plan, solver, state, result)
       end if
+      result%work = solver%work()
+      if (case%sensitivities .and. is_success(result%status)) &
+         call find_touching_sensitivities(case, plan, solver, state, result)
       result%seconds = wall_seconds() - start
       if (present(keeper)) result%seconds = result%seconds + keeper%seconds_before
-      result%work = solver%work()
       if (allocated(solver%problem%deformation)) result%own_convolution = solver%problem%deformation%convolution
       if (result%own_convolution > 0) result%own_units = result%work/result%own_convolution
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
       result%counted_work_units = result%work/work_unit_operations(plan%cells_x, plan%cells_y)
-      result%all_work = result%work
-      result%total_work_units = result%counted_work_units
+      result%all_work = solver%work()
+      result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_touching
 
@@ -163,7 +166,8 @@ contains
       call lay_out(case, plan, solver)
       associate (grid => solver%problem%grid)
          call grid%new_field(rough)
-         if (plan%kind /= run_march .and. plan%surfaces%is_rough()) rough = rough_at_rest(case, plan, grid%x, grid%y)
+         if (plan%kind /= run_march .and. plan%surfaces%is_rough()) &
+            rough = rough_at_rest(plan%surfaces%list, case%phase_deg, grid)
       end associate
       call solver%given%set_rough(rough)
       report%status = status_unresolved
@@ -200,23 +204,6 @@ contains
       solver%largest_steps = case%largest_steps
       call solver%begin()
    end subroutine lay_out
-
-   !> Waves that stand still: the smallest gap at X = 0 for a phase of 0.
-   function rough_at_rest(case, plan, x, y) result(rough)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      real(dp), intent(in) :: x(0:), y(0:)
-      real(dp), allocatable :: rough(:, :)
-      real(dp) :: phase
-      integer :: n
-      allocate (rough(0:ubound(x, 1), 0:ubound(y, 1)), source=0.0_dp)
-      do n = 1, size(plan%surfaces%list)
-         phase = pi + merge(case%phase_deg*pi/180, 0.0_dp, n == 1)
-         associate (waves => plan%surfaces%list(n))
-            rough = rough + waves%amplitude(0.0_dp)*waves%shape_fixed(x, y, phase)
-         end associate
-      end do
-   end function rough_at_rest
 
    !> Friction coefficient of the solids, with the sign of sliding.
    elemental real(dp) function solid_friction(case, plan, share) result(friction)

@@ -42,7 +42,7 @@ module ehlwave_hierarchy
       procedure :: work
    end type hierarchy_t
 
-   integer, parameter :: fewest_cells = 24   !! along X or over the whole width, on the coarsest grid
+   integer, parameter, public :: fewest_cells = 24   !! along X or over the whole width, on the coarsest grid
 
 contains
 

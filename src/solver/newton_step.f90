@@ -6,6 +6,7 @@ module ehlwave_newton_step
    use ehlwave_cycle_settings, only: diagonal_shift
    use ehlwave_given, only: given_t
    use ehlwave_hierarchy, only: level_t, work_of
+   use ehlwave_kept_factors, only: kept_factors_t
    use ehlwave_kinds, only: dp
    use ehlwave_meniscus, only: fill_ahead
    use ehlwave_real_gmres, only: gmres_t
@@ -22,6 +23,7 @@ module ehlwave_newton_step
    type, public :: newton_step_t
       type(linearised_contact_t) :: linear
       type(gmres_t) :: gmres
+      type(kept_factors_t) :: kept
       logical, private :: fills = .false.        !! the gap ahead of a meniscus: a steady state with too little oil
       real(dp), allocatable, private :: rhs(:), change(:), film_change(:, :)
       logical :: is_cut = .false.                !! the last step: node by node, see `take`
@@ -114,27 +116,47 @@ contains
       end associate
    end function worth_of_same
 
-   !> Newton direction in `change`. The factors are made afresh, at the cost of 1.5 GMRES steps. Factors of the previous
-   !> step need two more steps on average, many more where the pattern moves the edge of the film. Where the factors
-   !> fail (incomplete ones can be unstable), they are made again with a stronger diagonal.
-   subroutine solve(self, levels, forcing, largest_work, report)
+   !> Newton direction in `change`. New factors cost 2.5 GMRES steps. They are kept for other steps while that saves
+   !> work. Where new factors fail (incomplete ones can be unstable), they are made again with a stronger diagonal.
+   subroutine solve(self, levels, forcing, may_keep, largest_work, report)
       class(newton_step_t), intent(inout) :: self
       type(level_t), intent(in) :: levels(:)
       real(dp), intent(in) :: forcing
+      logical, intent(in) :: may_keep        !! the factors of an earlier step
       real(dp), intent(in) :: largest_work   !! on these levels, from which on no GMRES step begins
       type(solve_report_t), intent(inout) :: report
+      real(dp) :: factors_end, start
       integer :: rung
 
       self%linear%largest_work = largest_work
+      if (may_keep .and. self%kept%serve(self%linear%finest)) then
+         start = work_of(levels)
+         self%linear%largest_work = min(largest_work, start + self%kept%worth(forcing))
+         call self%gmres%solve(self%linear, self%rhs, self%change, forcing)
+         self%linear%largest_work = largest_work
+         report%linear_steps = report%linear_steps + self%gmres%steps
+         call self%kept%note_old(work_of(levels) - start, self%gmres%reduction)
+         if (is_good(self%gmres) .or. work_of(levels) >= largest_work) return
+      end if
       do rung = 1, size(diagonal_shift)
+         start = work_of(levels)
          call self%linear%factorise(rung)
+         factors_end = work_of(levels)
          report%factorisations = report%factorisations + 1
          call self%gmres%solve(self%linear, self%rhs, self%change, forcing)
          report%linear_steps = report%linear_steps + self%gmres%steps
-         if (self%gmres%steps > 0 .and. self%gmres%reduction < 0.5_dp) exit
+         call self%kept%note_new(merge(self%linear%finest, 0, is_good(self%gmres)), factors_end - start, &
+            work_of(levels) - factors_end, self%gmres%reduction)
+         if (is_good(self%gmres)) exit
          if (work_of(levels) >= largest_work) exit
       end do
    end subroutine solve
+
+   !> Whether the last solve was of use.
+   pure logical function is_good(gmres)
+      type(gmres_t), intent(in) :: gmres
+      is_good = gmres%steps > 0 .and. gmres%reduction < 0.5_dp
+   end function is_good
 
    !> Whether the active set goes back and forth between two sets; a half step then breaks the cycle.
    logical function alternates(self, k)

@@ -54,6 +54,7 @@ contains
       if (problem%grid%is_line) return
       patch_limits = limits
       patch_limits%largest_steps = most_steps
+      patch_limits%keeps_factors = .false.     ! in steep films a step changes too much
       patch_limits%film_unit = problem%grid%value_at_centre(state%h)
       call find(problem%grid, equations, state, patch_limits, first, last, quiet)
       if (any(last <= first)) return

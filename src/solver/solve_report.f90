@@ -21,6 +21,8 @@ module ehlwave_solve_report
       logical :: leaves_last = .false.  !! whether Newton's method leaves the state of the last step without judging it,
                                         !! with the flow of `last_equations` as the step has it
       logical :: gives_up = .false.     !! whether Newton's method ends where it comes to rest away from the solution
+      logical :: keeps_factors = .false.   !! whether Newton's method may keep factors from system to system, and from
+                                           !! its last solution: `kept_factors_t`
       real(dp) :: guess_share = 1  !! multiple of the tolerance, above which Newton's method improves every first guess
    end type solve_limits_t
 

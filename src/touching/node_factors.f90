@@ -75,12 +75,17 @@ contains
       if (.not. allocated(self%band%a)) is_bounded = self%ilu%is_bounded()
    end subroutine finish
 
-   !> Solve with factors in place.
-   subroutine solve(self, packed)
+   !> Solve with factors, or with the transposed factors, in place.
+   subroutine solve(self, packed, is_transposed)
       class(node_factors_t), intent(inout) :: self
       real(dp), intent(inout), contiguous :: packed(:, :)   !! (unknown rows, lines)
-      if (allocated(self%band%a)) then
+      logical, intent(in) :: is_transposed
+      if (allocated(self%band%a) .and. is_transposed) then
+         call self%band%solve_transposed(packed(1, :))
+      else if (allocated(self%band%a)) then
          call self%band%solve(packed(1, :))
+      else if (is_transposed) then
+         call self%ilu%solve_transposed(packed)
       else
          call self%ilu%solve(packed)
       end if

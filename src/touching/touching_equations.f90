@@ -75,22 +75,26 @@ contains
    end subroutine init
 
    !> Gap, film and residual of a state.
-   subroutine evaluate(self, problem, law, given, past, state)
+   subroutine evaluate(self, problem, law, given, past, state, holds_edges)
       class(touching_equations_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
       type(touching_law_t), intent(in) :: law
       type(given_t), intent(in) :: given           !! its roughness and load count
       type(touching_past_t), intent(in) :: past
       type(touching_state_t), intent(inout) :: state
+      logical, intent(in), optional :: holds_edges   !! whether pressures at flooded edges stay as they are
       integer :: j
+      logical :: holds
 
+      holds = .false.
+      if (present(holds_edges)) holds = holds_edges
       call problem%film(given, state%p + state%c, state%delta, self%gap)
       state%h = self%gap
       if (.not. law%is_soft) then
          if (allocated(past%f)) state%h = max(state%h, least_film*law%film)
          where (state%is_touching) state%h = law%film
       end if
-      call problem%edges%impose(given, state%h, state%p)
+      if (.not. holds) call problem%edges%impose(given, state%h, state%p)
       call self%evaluate_flow(problem, state%p, state%h)
       call driven_flow(self%mesh, self%flow, self%residual)
       do j = 0, problem%grid%ny

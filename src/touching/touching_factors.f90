@@ -33,6 +33,7 @@ module ehlwave_touching_factors
       procedure :: init
       procedure :: make
       procedure :: solve
+      procedure :: solve_transposed
    end type touching_factors_t
 
    integer, parameter :: beyond = 10                        !! nodes beyond the edges with Psi = 0
@@ -178,7 +179,7 @@ contains
          do i = 1, nx - 1
             self%packed(:, i) = residual(i, first:last)*self%scale(i, first:last)
          end do
-         call self%all%solve(self%packed)
+         call self%all%solve(self%packed, is_transposed=.false.)
          q = 0
          do i = 1, nx - 1
             q(i, first:last) = self%packed(:, i)
@@ -193,5 +194,40 @@ contains
          end do
       end associate
    end subroutine solve
+
+   !> Transposed `solve`: weights of the residuals for weights of the changes.
+   subroutine solve_transposed(self, grid, state, q, residual)
+      class(touching_factors_t), intent(inout) :: self
+      type(grid_t), intent(in) :: grid
+      type(touching_state_t), intent(in) :: state
+      real(dp), intent(in), contiguous :: q(0:, 0:)
+      real(dp), intent(out), contiguous :: residual(0:, 0:)
+      integer :: i, j
+      logical :: is_content
+
+      residual = 0
+      self%field = 0
+      do j = grid%first_row, grid%last_row
+         do i = 1, grid%nx - 1
+            is_content = state%is_cavitated(i, j) .and. .not. state%is_touching(i, j)
+            residual(i, j) = merge(1.0_dp, 1 - self%part(i, j)**2, is_content)*q(i, j)
+            ! rows of a half domain count for two
+            if (.not. is_content) self%field(i, j) = self%part(i, j)*q(i, j)/grid%weight(j)
+         end do
+      end do
+      call self%inverse%apply(self%field, self%image)
+      associate (first => grid%first_row, last => grid%last_row, nx => grid%nx)
+         do j = first, last
+            residual(:, j) = residual(:, j) + self%part(0:nx, j)*grid%weight(j)*self%image(:, j)
+         end do
+         do i = 1, nx - 1
+            self%packed(:, i) = residual(i, first:last)
+         end do
+         call self%all%solve(self%packed, is_transposed=.true.)
+         do i = 1, nx - 1
+            residual(i, first:last) = self%packed(:, i)*self%scale(i, first:last)
+         end do
+      end associate
+   end subroutine solve_transposed
 
 end module ehlwave_touching_factors

@@ -19,10 +19,11 @@ module ehlwave_touching_newton
    use ehlwave_work_unit, only: evaluation_operations
    implicit none (type, external)
    private
-   public :: set_speed
+   public :: residuals, set_speed
 
-   real(dp), parameter :: small_speed_step = 1e-6_dp     !! of ln(speed), for its derivative
-   real(dp), parameter :: loose = 1e-2_dp, exact = 1e-8_dp   !! linear tolerance: of marches, of steady states
+   real(dp), parameter :: small_speed_step = 1e-5_dp     !! of ln(speed), for its derivative
+   real(dp), parameter :: loose = 1e-2_dp             !! linear tolerance of marches,
+   real(dp), parameter, public :: exact = 1e-8_dp     !! and of steady states
    integer, parameter :: largest_krylov = 150            !! linear steps of a solution
 
    !> A contact on one grid, with what it is given.
@@ -40,6 +41,7 @@ module ehlwave_touching_newton
       procedure :: begin
       procedure :: solve
       procedure :: work
+      procedure :: differentiate_by_speed
       procedure, private :: count_work
    end type touching_solver_t
 
@@ -86,7 +88,7 @@ contains
          call set_speed(self%problem, state%speed)
          call self%equations%evaluate(self%problem, self%law, self%given, self%past, state)
          call self%count_work(real(evaluation_operations, dp)*size(state%p))
-         call find_sides(self, state, sides, share)
+         call residuals(self%problem, self%law, self%given, self%equations, state, sides, share)
          call judge(self, state, sides, report)
          if (report%status == status_not_finite) exit
          if (report%status == status_converged .and. steps%are_settled) exit
@@ -134,22 +136,25 @@ contains
    end subroutine count_work
 
    !> Residuals of all equations.
-   subroutine find_sides(self, state, sides, share)
-      class(touching_solver_t), intent(in) :: self
+   subroutine residuals(problem, law, given, equations, state, sides, share)
+      type(contact_problem_t), intent(in) :: problem
+      type(touching_law_t), intent(in) :: law
+      type(given_t), intent(in) :: given
+      type(touching_equations_t), intent(in) :: equations   !! at the state
       type(touching_state_t), intent(in) :: state
       type(touching_change_t), intent(inout) :: sides
-      real(dp), intent(in), optional :: share
+      real(dp), intent(in), optional :: share               !! of the load
 
-      associate (grid => self%problem%grid)
-         sides%p = self%equations%residual
+      associate (grid => problem%grid)
+         sides%p = equations%residual
          sides%c = 0
-         where (state%is_touching) sides%c = self%law%excess(self%equations%gap, state%c)
-         sides%delta = self%given%load%residual(grid%integral(state%p + state%c), state%delta)
-         if (self%problem%edges%count() > 0) sides%delta = sides%delta + self%problem%edges%load
+         where (state%is_touching) sides%c = law%excess(equations%gap, state%c)
+         sides%delta = given%load%residual(grid%integral(state%p + state%c), state%delta)
+         if (problem%edges%count() > 0) sides%delta = sides%delta + problem%edges%load
          sides%ln_speed = 0
-         if (present(share)) sides%ln_speed = load_factor*grid%integral(state%c) - share*self%given%load%force
+         if (present(share)) sides%ln_speed = load_factor*grid%integral(state%c) - share*given%load%force
       end associate
-   end subroutine find_sides
+   end subroutine residuals
 
    !> The largest of each, and whether all are within the tolerance.
    subroutine judge(self, state, sides, report)
@@ -179,14 +184,17 @@ contains
       type(touching_state_t), intent(in) :: state
       type(touching_change_t), intent(inout) :: sides
       real(dp), allocatable :: driven(:, :)
+      integer :: side
 
       allocate (driven, mold=sides%p)
+      sides%by_speed = 0
       associate (problem => self%problem, equations => self%equations)
-         call driven_flow(equations%mesh, equations%flow, driven)
-         call set_speed(problem, state%speed*exp(small_speed_step))
-         call equations%evaluate_flow(problem, state%p, state%h)
-         call driven_flow(equations%mesh, equations%flow, sides%by_speed)
-         sides%by_speed = (sides%by_speed - driven)/small_speed_step
+         do side = -1, 1, 2
+            call set_speed(problem, state%speed*exp(side*small_speed_step))
+            call equations%evaluate_flow(problem, state%p, state%h)
+            call driven_flow(equations%mesh, equations%flow, driven)
+            sides%by_speed = sides%by_speed + side/(2*small_speed_step)*driven
+         end do
          call set_speed(problem, state%speed)
          call equations%evaluate_flow(problem, state%p, state%h)
       end associate

@@ -62,7 +62,7 @@ contains
             end do
          end do
       end do
-      call self%solve(grid, self%follows)
+      call self%solve(grid, self%follows, is_transposed=.false.)
       self%follows = max(0.0_dp, min(1.0_dp, self%follows))
    end subroutine make
 
@@ -102,17 +102,19 @@ contains
       if (any(abs(rows(:, middle)) <= 0)) where (abs(rows(:, middle)) <= 0) rows(:, middle) = -1
    end subroutine oil_rows
 
-   !> Changes of P or theta where solids bear, for residuals of the oil there and 0 elsewhere, in place.
-   subroutine solve(self, grid, change)
+   !> Changes of P or theta where solids bear, for residuals of the oil there and 0 elsewhere, in place; transposed:
+   !> weights of the residuals for weights of the changes.
+   subroutine solve(self, grid, change, is_transposed)
       class(touching_oil_factors_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(inout), contiguous :: change(0:, 0:)
+      logical, intent(in) :: is_transposed
       integer :: i
       associate (first => grid%first_row, last => grid%last_row)
          do i = 1, grid%nx - 1
             self%packed(:, i) = change(i, first:last)
          end do
-         call self%factors%solve(self%packed)
+         call self%factors%solve(self%packed, is_transposed)
          do i = 1, grid%nx - 1
             change(i, first:last) = self%packed(:, i)
          end do

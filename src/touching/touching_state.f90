@@ -3,11 +3,12 @@ module ehlwave_touching_state
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_grid, only: grid_t
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, pi
    use ehlwave_touching_data, only: soft, touching_data_t
+   use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
-   public :: hertz_state, new_touching_law, prolonged, still_state
+   public :: hertz_state, new_touching_law, prolonged, rough_at_rest, still_state
 
    !> Theory eq. (Z3): solids bear where the gap is the boundary film, or below it by the logarithm of their pressure.
    type, public :: touching_law_t
@@ -63,6 +64,21 @@ contains
       touches = gap < self%film
       if (self%is_soft) touches = gap < self%film + faint*self%softness
    end function touches
+
+   !> Waves that stand still: the smallest gap at X = 0 for a phase of 0.
+   function rough_at_rest(waves, phase_deg, grid) result(rough)
+      type(waviness_t), intent(in) :: waves(:)     !! of the surfaces, with known amplitudes
+      real(dp), intent(in) :: phase_deg            !! of the first
+      type(grid_t), intent(in) :: grid
+      real(dp), allocatable :: rough(:, :)
+      real(dp) :: phase
+      integer :: n
+      call grid%new_field(rough)
+      do n = 1, size(waves)
+         phase = pi + merge(phase_deg*pi/180, 0.0_dp, n == 1)
+         rough = rough + waves(n)%amplitude(0.0_dp)*waves(n)%shape_fixed(grid%x, grid%y, phase)
+      end do
+   end function rough_at_rest
 
    !> A full film under the Hertz pressure, whose smallest thickness is at least twice the boundary film.
    subroutine hertz_state(problem, film, rough, state)

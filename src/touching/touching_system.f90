@@ -24,17 +24,17 @@ module ehlwave_touching_system
    type, extends(linear_system_t), public :: touching_system_t
       type(touching_unknowns_t) :: unknowns
       type(touching_factors_t) :: factors
-      class(deformation_t), pointer, private :: deformation => null()        ! borrowed for the length of a solve,
-      type(touching_equations_t), pointer, private :: equations => null()    ! all three
-      type(touching_state_t), pointer, private :: state => null()
-      type(grid_t), private :: grid
-      type(touching_law_t), private :: law
-      type(touching_oil_change_t), private :: oil
-      logical, private :: is_steady = .true., seeks_speed = .false.
-      real(dp), allocatable, private :: by_speed(:, :)                       ! of the rows of the oil
-      real(dp), allocatable, private :: q(:, :), dh(:, :), dr(:, :), work(:, :)
-      real(dp), allocatable, private :: column(:, :)                         ! (n, borders) inverse of their columns
-      real(dp), private :: schur(borders, borders) = 0
+      class(deformation_t), pointer :: deformation => null()      !! borrowed for the length of a solve,
+      type(touching_equations_t), pointer :: equations => null()  !! all three
+      type(touching_state_t), pointer :: state => null()
+      type(grid_t) :: grid
+      type(touching_law_t) :: law
+      type(touching_oil_change_t) :: oil
+      logical :: is_steady = .true., seeks_speed = .false.
+      real(dp), allocatable :: by_speed(:, :)                     !! of the rows of the oil
+      real(dp), allocatable :: q(:, :), dh(:, :), dr(:, :), work(:, :)
+      real(dp), allocatable :: column(:, :)                       !! (n, borders) inverse of their columns
+      real(dp) :: schur(borders, borders) = 0                     !! rows of the borders without the fields
       ! Deformation of these columns; of the last preconditioned vector, whose product GMRES asks for next
       real(dp), allocatable, private :: deformed(:, :, :), ahead(:, :)
       logical, private :: is_ahead = .false.
@@ -45,7 +45,7 @@ module ehlwave_touching_system
       procedure :: multiply
       procedure :: precondition
       procedure :: is_spent
-      procedure, private :: count => count_work
+      procedure :: count => count_work
    end type touching_system_t
 
 contains
@@ -252,7 +252,7 @@ contains
                self%work(i, j) = self%work(i, j) - equations%by_theta(i, j, 2)*u(i - 1, j)
          end associate
       end do
-      call self%factors%oil%solve(self%grid, self%work)
+      call self%factors%oil%solve(self%grid, self%work, is_transposed=.false.)
       do k = 1, size(self%unknowns%node, 2)
          associate (i => self%unknowns%node(1, k), j => self%unknowns%node(2, k))
             u(i, j) = self%work(i, j)

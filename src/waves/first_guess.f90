@@ -1,7 +1,5 @@
 !> First guess of a time step from the solutions before it.
 module ehlwave_first_guess
-   use ehlwave_equations, only: equations_t
-   use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_known_waves, only: known_waves_t
    use ehlwave_last_period, only: last_period_t
@@ -10,7 +8,7 @@ module ehlwave_first_guess
    use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
-   public :: carried_share, carry_on, extrapolate, look_up
+   public :: carry_on, extrapolate, look_up
 
    !> Solutions that the first guess is made from.
    type, public :: past_t
@@ -20,72 +18,65 @@ module ehlwave_first_guess
       real(dp) :: known_delta(0:3) = 0
    end type past_t
 
-   real(dp), parameter :: spread_weight = 1000   !! measured: fewest Newton steps between 100 and 10^4
-
 contains
 
-   !> How much of a pressure disturbance is carried along with the film rather than spread by Poiseuille flow,
-   !> 0 to 1 at each node: 1/(1 + weight eps/(hX K0)), K0 the deformation under a cell of unit pressure.
-   function carried_share(level) result(share)
-      type(level_t), intent(in) :: level    !! at its steady state
-      real(dp), allocatable :: share(:, :)
-      type(equations_t) :: equations
-
-      call equations%init(level%problem)
-      call equations%evaluate(level%problem, level%given, level%state)
-      share = 1/(1 + spread_weight*equations%flow%mobility()/(level%problem%grid%hx*equations%self_influence))
-   end function carried_share
-
-   !> First guess: P0, which is the solution a period before or else the steady state, plus the extrapolated difference,
-   !> p = P - P0. Where the oil carries the film, extrapolation follows the characteristic: 3 p(i-m, k-1) - 3 p(i-2m,
-   !> k-2) + p(i-3m, k-3); elsewhere in time at fixed X: 3 p(k-1) - 3 p(k-2) + p(k-3); in between, by share. The latter
-   !> stays in the range of the neighbours at the step before.
-   subroutine extrapolate(m, share, past, state)
+   !> First guess: P0, which is the solution a period before or else the steady state, plus the extrapolated difference
+   !> p = P - P0. Two operators act on p in turn, theory eq. (D16): one vanishes for waves of the frequency w at a fixed
+   !> place, the other for a disturbance that the oil carries along. Pressures stay in the range of their neighbours at
+   !> the step before.
+   subroutine extrapolate(m, wave_step, past, state)
       integer, intent(in) :: m                       !! cells that a feature travels per step
-      real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
+      real(dp), intent(in) :: wave_step              !! w dT of the waves, 0: none
       type(past_t), intent(in) :: past
       type(state_t), intent(inout) :: state
 
       if (allocated(past%known_p)) then
          associate (known => past%known_p)
-            call extrapolate_about(m, share, past, known(:, :, 0), known(:, :, 1), known(:, :, 2), known(:, :, 3), &
-               state%p)
+            call extrapolate_about(m, wave_step, past, known(:, :, 0), known(:, :, 1), known(:, :, 2), &
+               known(:, :, 3), state%p)
          end associate
       else
          associate (p0 => past%steady%p)
-            call extrapolate_about(m, share, past, p0, p0, p0, p0, state%p)
+            call extrapolate_about(m, wave_step, past, p0, p0, p0, p0, state%p)
          end associate
       end if
-      associate (known => past%known_delta)
-         state%delta = known(0) + 3*((past%before%delta - known(1)) - (past%earlier%delta - known(2))) &
-                       + past%earliest%delta - known(3)
+      associate (d => [past%before%delta, past%earlier%delta, past%earliest%delta] - past%known_delta(1:))
+         state%delta = past%known_delta(0) + continued(wave_step, d, d)
       end associate
    end subroutine extrapolate
 
    !> The pressure of `extrapolate`, by P0 at T, T - dT, T - 2 dT and T - 3 dT.
-   subroutine extrapolate_about(m, share, past, now, then1, then2, then3, p)
+   subroutine extrapolate_about(m, wave_step, past, now, then1, then2, then3, p)
       integer, intent(in) :: m
-      real(dp), dimension(0:, 0:), intent(in) :: share, now, then1, then2, then3   !! (0:nx, 0:ny)
+      real(dp), intent(in) :: wave_step
       type(past_t), intent(in) :: past
+      real(dp), dimension(0:, 0:), intent(in) :: now, then1, then2, then3   !! (0:nx, 0:ny)
       real(dp), intent(inout) :: p(0:, 0:)
-      real(dp) :: moved, still
-      integer :: i, j
+      real(dp) :: guess
+      integer :: i, j, l
 
       associate (p1 => past%before%p, p2 => past%earlier%p, p3 => past%earliest%p)
-         !$omp parallel do private(i, j, moved, still) schedule(static) if (is_shared(size(p)))
+         !$omp parallel do private(i, j, l, guess) schedule(static) if (is_shared(size(p)))
          do j = 0, ubound(p, 2)
             do i = 0, ubound(p, 1) - 1
-               still = now(i, j) + 3*((p1(i, j) - then1(i, j)) - (p2(i, j) - then2(i, j))) + (p3(i, j) - then3(i, j))
-               moved = still
-               if (i > 3*m) moved = now(i, j) &
-                  + 3*((p1(i - m, j) - then1(i - m, j)) - (p2(i - 2*m, j) - then2(i - 2*m, j))) &
-                                    + (p3(i - 3*m, j) - then3(i - 3*m, j))
-               still = held(still, neighbour_range(p1, i, j))
-               p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)
+               l = merge(i - m, i, i > m)      ! where the oil was a step before
+               guess = now(i, j) + continued(wave_step, &
+                  [p1(i, j) - then1(i, j), p2(i, j) - then2(i, j), p3(i, j) - then3(i, j)], &
+                  [p1(l, j) - then1(l, j), p2(l, j) - then2(l, j), p3(l, j) - then3(l, j)])
+               p(i, j) = max(0.0_dp, held(guess, neighbour_range(p1, i, j)))
             end do
          end do
       end associate
    end subroutine extrapolate_about
+
+   !> The next value of a disturbance from its last three, the latest first, here and upstream: theory eq. (D16).
+   pure real(dp) function continued(wave_step, here, upstream)
+      real(dp), intent(in) :: wave_step
+      real(dp), intent(in) :: here(3), upstream(3)   !! at T - dT, T - 2 dT, T - 3 dT
+      real(dp) :: twice
+      twice = 2*cos(wave_step)
+      continued = twice*here(1) - here(2) + upstream(1) - twice*upstream(2) + upstream(3)
+   end function continued
 
    !> First guess of the first steps from known waves: the previous solution and the change of the waves.
    !> Extrapolation would amplify the errors of the waves.

@@ -1,7 +1,7 @@
 !> A time march so far: start and data of its next step.
 module ehlwave_march_past
    use ehlwave_assertions, only: assert, checks
-   use ehlwave_first_guess, only: carried_share, carry_on, extrapolate, look_up, past_t
+   use ehlwave_first_guess, only: carry_on, extrapolate, look_up, past_t
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
@@ -29,7 +29,6 @@ module ehlwave_march_past
       type(known_waves_t), allocatable, private :: waves
       type(last_period_t), private :: period               ! with `waves`
       real(dp), private :: start = 0           ! T before the first step
-      real(dp), allocatable :: share(:, :)     !! see carried_share
       type(time_history_t) :: history
       real(dp), allocatable, private :: supply(:)   ! oil offered to the steady state, of a starved contact
       type(given_t) :: given                   !! data of the last solution
@@ -71,7 +70,6 @@ contains
          self%given = given   ! data of the steady state as a time step
          given%load%force = settings%force
          self%past = past_t(state, state, state, state)
-         self%share = carried_share(level)
          call self%result%note(0, self%start, grid%value_at_centre(state%h), state%delta)
       end associate
    end subroutine begin_past
@@ -137,7 +135,7 @@ contains
          call carry_on(self%past, self%waves, t, dt, state)
       else if (self%settings%steps_per_cell == 1) then
          if (self%period%is_known()) call look_up(self%period, t, dt, self%past)
-         call extrapolate(self%settings%cells_per_step, self%share, self%past, state)
+         call extrapolate(self%settings%cells_per_step, self%settings%surfaces%frequency()*dt, self%past, state)
       end if
    end subroutine guess
 

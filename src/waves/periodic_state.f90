@@ -1,6 +1,6 @@
 !> The periodic state of a contact with moving waves: a march that starts in the known waves, from grid to grid.
 module ehlwave_periodic_state
-   use ehlwave_carried_change, only: carried_change_t, points
+   use ehlwave_carried_change, only: carried_change_t, carried_share, points
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
@@ -165,15 +165,17 @@ contains
       real(dp), intent(in) :: tolerance                !! tolerance of `change`
       class(monitor_t), intent(inout) :: monitor
       type(carried_change_t) :: carried
+      real(dp), allocatable :: share(:, :)
       logical :: is_finest
       integer :: k
 
       associate (march => self%march, result => self%march%result, grid => multigrid%levels(l)%problem%grid)
          call march%begin(multigrid%levels(:l), settings, march%rescue)
+         share = carried_share(multigrid%levels(l))   ! of the steady state
          call march%start_in(multigrid%levels(l), waves, start)
          self%repeats = settings%repeat_time(grid)
          is_finest = l == size(multigrid%levels)
-         call carried%begin(grid, settings, march%share, multigrid%levels(l)%state%h)
+         call carried%begin(grid, settings, share, multigrid%levels(l)%state%h)
          do k = 1, settings%steps
             call march%take_step(multigrid, limits)
             if (result%status /= status_converged) exit

@@ -161,11 +161,11 @@ contains
          do k = 1, size(variable%variants)
             associate (variant => variable%variants(k), w => variable%variants(k)%weight)
                call variant_equations(harmonic%tangent, level, variable, k, flooded_oil(k), problem, equations)
-               pattern = variant%waves%amplitude_at(grid%x, grid%y)
+               pattern = variant%waves(1)%amplitude_at(grid%x, grid%y)
                call film_of(problem, response, film)
                film = film + pattern
-               call reynolds_change(equations%mesh, wedge_of(finest%equations, grid, variant%waves), equations%flow, &
-                                    response%p, film, dr)
+               call reynolds_change(equations%mesh, wedge_of(finest%equations, grid, variant%waves(1)), &
+                                    equations%flow, response%p, film, dr)
                r = r - w*dr
                dh = dh + w*film
                do i = 1, size(edge)
@@ -174,7 +174,7 @@ contains
                   end associate
                end do
                if (variant%natural_frequency > 0) b(n) = b(n) - w*response%approach* &
-                  harmonic_inertia(variant%natural_frequency, grid%hx/steps_per_cell, variant%waves%frequency())
+                  harmonic_inertia(variant%natural_frequency, grid%hx/steps_per_cell, variant%waves(1)%frequency())
                call variable%give_back(level%problem, problem)
             end associate
          end do

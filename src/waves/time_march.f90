@@ -18,7 +18,7 @@ module ehlwave_time_march
    implicit none (type, external)
    private
 
-   !> Steps between two restart points, where the march resumes bit for bit: solvers keep nothing between solutions.
+   !> Steps between two restart points, where the march resumes bit for bit: solvers keep nothing across them.
    integer, parameter, public :: steps_per_stretch = 32
 
    integer, parameter :: heat_rounds = 1    !! rounds of temperatures and film after the first solution of a step: it
@@ -154,16 +154,19 @@ contains
       end associate
    end subroutine carry_heat
 
-   !> A time step and its account.
+   !> A time step and its account. Factors are kept within a stretch only: a march resumes with none.
    subroutine solve_step(self, multigrid, limits)
       class(march_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
+      type(solve_limits_t) :: keeping
 
+      keeping = limits
+      keeping%keeps_factors = modulo(self%result%steps, steps_per_stretch) > 0
       if (self%l == size(multigrid%levels)) then
-         call self%rescue%solve_step(multigrid, self%past%before, self%given, limits)
+         call self%rescue%solve_step(multigrid, self%past%before, self%given, keeping)
       else
-         call multigrid%solve_level(self%l, limits, multigrid%levels(self%l)%report)
+         call multigrid%solve_level(self%l, keeping, multigrid%levels(self%l)%report)
       end if
       call self%result%count(multigrid%levels(self%l)%report)
    end subroutine solve_step

@@ -50,6 +50,13 @@ class CaseProgram(FolderTest):
         self.assertIn("NOT RESOLVED", outcome.stdout)
         self.assertFalse(last_line(outcome)["is_resolved"])
 
+    def test_plan_warns_of_cells_that_cannot_be_halved(self):
+        for cells, is_slow in ((258, True), (256, False), (200, False)):
+            groups = {**WAVY, "grid": {"cells_x": cells, "cells_y": cells}}
+            text = self.run_case(groups, "--plan").stdout
+            self.assertEqual("258 cells on the coarsest grid): several times the work of 320 x 320" in text, is_slow, cells)
+            self.assertEqual("can hardly be halved" in text, is_slow, cells)
+
     def test_plan_of_an_oil_that_does_not_thicken(self):
         """V is infinite for L = 0: no value."""
         conditions = {"load_parameter_m": 50, "lubricant_parameter_l": 0, "radius_ratio_d": 1}

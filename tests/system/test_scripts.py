@@ -17,15 +17,11 @@ MISSING = object()
 FURTHER = ("cmake", "mpirun", "ehlwave-sweep", "apt-get", "sudo", "afl-fuzz")
 
 
-FORMER = {Path("check-accuracy"): "accuracy", Path("speed-table"): "speed"}
-"""Former names of studies."""
-
-
 def all_scripts():
     """Return all files to run or source, by their path below scripts."""
     files = [path for path in sorted(SCRIPTS.rglob("*")) if path.is_file() and path.suffix != ".in"]
     found = [path.relative_to(SCRIPTS) for path in files if path.read_bytes().startswith((b"#!/", b"# shellcheck"))]
-    return [script for script in found if script not in FORMER]
+    return found
 
 
 def own_scripts():
@@ -77,7 +73,7 @@ class Scripts(FolderTest):
 
     def test_each_can_be_started_through_a_link(self):
         (self.folder/"link").symlink_to("tree/scripts")
-        for script in [*own_scripts(), Path("study"), *FORMER]:
+        for script in all_scripts():
             if script.parts[0] == "packaging":
                 continue
             with self.subTest(script=str(script)):
@@ -90,12 +86,6 @@ class Scripts(FolderTest):
             outcome = self.call(name, "--help", path=shutil.copy(SCRIPTS/name, self.folder))
             self.assertEqual(outcome.returncode, 2)
             self.assertIn("environment: No such file", outcome.stderr)
-
-    def test_former_names_are_studies(self):
-        for script, name in FORMER.items():
-            outcome = self.call(script, "--help")
-            self.assertEqual((outcome.returncode, outcome.stderr), (0, ""))
-            self.assertTrue(outcome.stdout.startswith(f"usage: scripts/study {name} "), outcome.stdout)
 
     def test_studies_need_a_python_that_is_new_enough(self):
         (self.folder/"stubs"/"python3").write_text("#!/bin/sh\nexit 1\n")

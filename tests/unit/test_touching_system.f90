@@ -1,4 +1,5 @@
-!> The linear system of contacts whose surfaces touch: products against differences of the residuals, and its solution.
+!> The linear system of contacts whose surfaces touch: products against differences of the residuals, its solution, and
+!> the transposed system.
 program test_touching_system
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
@@ -11,6 +12,7 @@ program test_touching_system
    use ehlwave_touching_equations, only: touching_equations_t, touching_past_t
    use ehlwave_touching_state, only: hertz_state, touching_law_t, touching_state_t
    use ehlwave_touching_system, only: touching_system_t
+   use ehlwave_touching_transposed, only: touching_transposed_t
    use sample_contact, only: make_conditions, make_rheology, noise
    use testing, only: test_t
    implicit none (type, external)
@@ -22,6 +24,7 @@ program test_touching_system
    type(touching_past_t) :: past
    type(touching_state_t), target :: state
    type(touching_system_t) :: system
+   type(touching_transposed_t) :: transposed
    type(touching_law_t) :: law
    type(given_t) :: given
 
@@ -58,8 +61,51 @@ contains
       call shorten(x)
       call system%multiply(x, y)
       call compare(name, x, y)
+      if (.not. marches) call check_transposed(name, x, y)
       call system%release()
    end subroutine check
+
+   !> Products with the transposed matrix and preconditioner, about the state of the system; x and y = A x.
+   subroutine check_transposed(name, x, y)
+      character(len=*), intent(in) :: name
+      real(dp), intent(in) :: x(:), y(:)
+      type(touching_change_t) :: sides
+      type(gmres_t) :: gmres
+      real(dp), allocatable :: at(:), image(:), m(:), right(:)
+      real(dp) :: work
+      integer :: i
+
+      call equations%evaluate(problem, law, given, past, state)
+      call equations%linearise(past, state)
+      sides = new_change(problem%grid)
+      sides%seeks_speed = .true.
+      sides%by_speed = noise(size(state%p, 1), size(state%p, 2))
+      call system%pose(problem, law, equations, .true., state, sides)
+      call transposed%init(problem)
+      call transposed%pose(problem, law, equations, .true., state, sides)
+      call transposed%set_edges(problem%edges, given, state)
+      allocate (at(size(x)), image(size(x)), m(size(x)))
+      image = [(sin(7.0_dp*i), i=1, size(x))]
+      call system%multiply(x, m)
+      call transposed%multiply(image, at)
+      call test%check_close(dot_product(at, x), dot_product(m, image), name//': transposed product', &
+                            absolute=1e-6_dp*norm(m)*norm(image))
+      call system%precondition(y, m)
+      call transposed%precondition(image, at)
+      call test%check_close(dot_product(at, y), dot_product(m, image), name//': transposed preconditioner', &
+                            absolute=1e-4_dp*norm(m)*norm(image))
+      right = y
+      right(size(state%p) + 1:) = 0.1_dp
+      problem%deformation%work = 0
+      call gmres%solve(system, y, m, 1e-8_dp)
+      work = problem%deformation%work
+      problem%deformation%work = 0
+      call gmres%solve(transposed, right, at, 1e-8_dp)
+      call test%check_close(dot_product(at, y), dot_product(m, right), name//': transposed solution', &
+                            relative=1e-5_dp)
+      ! a step has a convolution more than a direct step
+      call test%check(problem%deformation%work <= 1.6_dp*work, name//': it costs at most 1.6 direct solves')
+   end subroutine check_transposed
 
    !> Unknowns of a random change, in the form of a solution.
    subroutine shorten(x)

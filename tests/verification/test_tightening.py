@@ -9,11 +9,11 @@ TIGHT = {"tolerance": 1e-8, "step_tolerance": 1e-7}
 RATIOS = ["amplitude_ratio", "amplitude_ratio_fit"]
 
 
-def wavy(cells, orientation="transverse", wavelength=0.5, **groups):
-    """M = 100, D = 1 with a moving pattern of 20 % of the film."""
+def wavy(cells, orientation="transverse", wavelength=0.5, m=100, **groups):
+    """D = 1 with a moving pattern of 20 % of the film."""
     groups["grid"] = {"cells_x": cells, "cells_y": cells, **groups.get("grid", {})}
     groups.setdefault("waviness", {"orientation": orientation, "wavelength_over_a": wavelength})
-    return solve(m=100, d=1, **groups)
+    return solve(m=m, d=1, **groups)
 
 
 class Tightening(TestCase):
@@ -30,11 +30,12 @@ class Tightening(TestCase):
             report(f"{key}: half against whole {self.check_close(half[key], whole[key], 1e-6, key):.1e}")
 
     def test_order_with_other_time_steps(self):
+        # M = 20 reaches the asymptotic range of its error on coarser grids than M = 100, at a seventh of the work.
         for ratio in [0.5, 2] if IS_LONG else [2]:
             with self.subTest(time_step_over_cell=ratio):
-                fits = [wavy(cells, wavelength=2, dynamics={"end_time": 7.5},
+                fits = [wavy(cells, m=20, wavelength=2, dynamics={"end_time": 7.5},
                              solver={**TIGHT, "step_tolerance": 1e-5, "time_step_over_cell": ratio})["amplitude_ratio_fit"]
-                        for cells in [64, 128, 256]]
+                        for cells in [32, 64, 128]]
                 report(f"dT/hX = {ratio}: order {self.check_order(fits, 1.7, 'Ad/Ai'):.2f} of {fits}")
 
     def test_slip_runs(self):

@@ -7,6 +7,8 @@ from studies.command.options import at_once, flag, given, option, output, study
 
 GROUPS = ("lines", "points", "bearings", "thick")
 """Sweeps of the studies of heat."""
+ENDS = ("light", "soft", "soft_points")
+"""Sweeps of the study of their ends."""
 
 
 @study(
@@ -67,6 +69,33 @@ def heat(options: argparse.Namespace) -> int:
     for name in (f"{one}{cold}" for one in GROUPS for cold in ("", "_cold")):
         steps.sweep(folder / f"{name}.nml")
     return steps.report("heat", "report", folder)
+
+
+@study(
+    "heat-ends",
+    output("heat-ends"),
+    at_once(),
+    option("--light", "COUNT", "light line contacts (default 100)", 100),
+    option("--soft", "COUNT", "lines with a small Eyring stress (default 60)", 60),
+    option("--soft-points", "COUNT", "ellipses with a small Eyring stress (default 24)", 24),
+)
+def heat_ends(options: argparse.Namespace) -> int:
+    """Judge laws of heat at ends of their ranges; fit friction of light lines.
+
+    Computes light line contacts with films up to 7.5 Hertz approaches, and oils with Eyring
+    stresses of 1 to 2 MPa, with and without heat. Fits the friction of light lines, contacts held
+    out. Three minutes on one core. Writes ends.csv, ends_coverage.csv and ends_law.csv, whose
+    coefficients are those of ehlwave.laws.light_lines.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare()
+    folder = options.output
+    counts = given(options, "light", "soft", "soft-points")
+    steps.python("heat_ends", "cases", folder, *counts)
+    for name in (f"{one}{cold}" for one in ENDS for cold in ("", "_cold")):
+        steps.sweep(folder / f"{name}.nml")
+    return steps.report("heat_ends", "report", folder)
 
 
 @study(

@@ -90,8 +90,8 @@ contains
       else if (case%accuracy > 0) then
          call refuse('&solver accuracy', 'states its errors by the mesh and chooses none: remove accuracy and '// &
             'give cells')
-      else if (case%sensitivities) then
-         call refuse('&output sensitivities', 'has none: remove the key')
+      else if (case%sensitivities .and. case%marches()) then
+         call refuse('&output sensitivities', 'has none of marches: remove the key, or let the rough surface rest')
       else if (case%time_step_over_cell > 1 .or. .not. case%time_step_over_cell > 0) then
          call refuse('&solver time_step_over_cell', 'follows the oil from node to node: use 1, 0.5, 0.25, ...')
       else if (case%effects%touching%data%seeks_speed() .and. case%marches()) then

@@ -45,7 +45,7 @@ COLUMNS = {
     "rolling_resistance_n": Column("N", "force that rolling takes at each surface"),
     "rolling_power_w": Column("W", "power of rolling, of both surfaces"),
     "sliding_power_w": Column("W", "power of sliding"),
-    "iso_film_m": Column("m", "film of ISO/TR 15144-1 (first edition, from memory)"),
+    "iso_film_m": Column("m", "film of ISO/TR 15144-1 (ISO/TS 6336-22)"),
     "iso_specific_film": Column("", "film of ISO/TR 15144-1 over the mean Ra of both surfaces"),
     "film_starved_low_m": Column("m", "central film at r = 0.3, the oil offered over flooded"),
     "oil_over_flooded": Column(

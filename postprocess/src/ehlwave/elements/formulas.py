@@ -129,7 +129,7 @@ FORMULAS = {
     ),
     "iso_film_m": _film(
         "film of ISO/TR 15144-1",
-        "1600 rho G^0.6 U^0.7 W^-0.13 S^0.22, first edition (2010), from memory",
+        "1600 rho G^0.6 U^0.7 W^-0.13 S^0.22, as restated by Jbily and others (2024)",
     ),
     "iso_specific_film": _number("specific film of ISO/TR 15144-1", "film over (Ra1 + Ra2)/2"),
     "film_starved_low_m": _film(

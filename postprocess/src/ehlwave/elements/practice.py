@@ -3,8 +3,9 @@
 - kappa of ISO 281:2007: viscosity over the reference viscosity nu1, 45000 n^-0.83 dm^-0.5 below
   1000 rpm and 4500 n^-0.5 dm^-0.5 above, in mm2/s, rpm and mm.
 - Specific film of ISO/TR 15144-1: h = 1600 rho G^0.6 U^0.7 W^-0.13 S^0.22 over the mean of both
-  Ra, in um and mm. The report itself was not accessible; formula and coefficients are quoted from
-  memory of the first edition (2010).
+  Ra, in um and mm. Formula and mean Ra as Jbily and others (2024, Procedia Structural Integrity 57,
+  p. 211) restate them from ISO/TS 6336-22:2018, which followed the report; G, U, W
+  and S from memory of the first edition (2010).
 - Stribeck's estimate of the largest load in a bearing: 5 F/Z (balls), 4 F/Z (rollers).
 """
 

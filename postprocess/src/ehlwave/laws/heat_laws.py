@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
+from ehlwave.laws import light_lines
 from ehlwave.laws.friction_error import error_by_data
 from ehlwave.laws.inlet_warming import inlet_factor, thermal_loading, wall_parameter
 from ehlwave.laws.sheared_film import Sheared, Sliding, shear_isothermal, shear_warm
@@ -54,6 +55,9 @@ central films by at most 0.4, smallest by 0.8 and friction by 0.2 times the erro
 LOWEST_RATIO = 0.2
 THICK_BAR, THICK_FILM = 0.12, RANGES["film over Hertz approach"][1]
 """More relative error of friction of line contacts above this film over the Hertz approach."""
+LIGHT_M = 2.0
+"""M of lines in the fit at least; lighter ones, and thicker films, have the errors of light lines.
+"""
 
 
 @dataclass(frozen=True)
@@ -188,6 +192,7 @@ def warmed(
     given, ratio = dict(conditions.given), conditions.slide_to_roll_ratio
     u, error = float(given["mean_speed_m_per_s"]), heat.oil_conductivity_error
     over_c = film_m / float(conditions.hertz_approach_c_m or np.nan)
+    is_light = conditions.is_line and (over_c > light_lines.THINNEST_FILM or conditions.m < LIGHT_M)
 
     def inlet_of(heat: Heat) -> float:
         wall = wall_parameter(heat, film_m, conditions.semi_axis_a_m, u)
@@ -199,7 +204,10 @@ def warmed(
 
     def errors_of(warmth: float) -> tuple[float, float]:
         both = (float(film_error(inlet, warmth, of)) for of in ("central", "smallest"))
-        central, smallest = (one + by_data for one in both)
+        more = by_data
+        if is_light:
+            more += light_lines.FILM_BAR + light_lines.FILM_BAR_BY_LOSS * (1 - inlet)
+        central, smallest = (one + more for one in both)
         return central, smallest
 
     inlet, loading = inlet_of(heat), loading_of(conditions, heat)
@@ -214,9 +222,13 @@ def warmed(
         return Heated(inlet, inlet, None, *errors_of(warmth))
     case = sliding_film(conditions, eyring_stress_pa, film_m)
 
-    def factor(found: Sheared, film: float, warmth: float) -> float:
+    def factor(found: Sheared, film: float, loading: float, inlet: float) -> float:
         stress = found.friction * conditions.hertz_pa / eyring_stress_pa
-        return float(friction_factor(over_c * film, conditions.is_line, stress, warmth, ratio))
+        own = friction_factor(over_c * film, conditions.is_line, stress, loading, ratio)
+        if conditions.is_line:
+            rise = heat.viscosity_temperature_per_k * found.rise_mid_film_k
+            own = own * light_lines.light_factor(over_c, conditions.l, inlet, rise)
+        return float(own)
 
     cold = shear_isothermal(case)
     warm = shear_warm(replace(case, film_m=film_m * inlet), heat)
@@ -229,21 +241,24 @@ def warmed(
         other = _conducting(heat, conductivity)
         one = replace(one, film_m=one.film_m * inlet_of(other) / inlet)
         found = shear_warm(one, other)
-        return found.friction * factor(found, one.film_m / film_m, loading_of(conditions, other))
+        its_inlet = inlet_of(other)
+        one_loading = loading_of(conditions, other)
+        return found.friction * factor(found, one.film_m / film_m, one_loading, its_inlet)
 
     warmth = heat.viscosity_temperature_per_k * warm.rise_surfaces_k
-    by_shape = 0.0 if conditions.is_line else ELLIPSE_BAR
-    if over_c > THICK_FILM:
-        by_shape += THICK_BAR
+    own_error = FRICTION_BAR + (0.0 if conditions.is_line else ELLIPSE_BAR)
+    own_error += THICK_BAR if over_c > THICK_FILM else 0.0
+    if is_light:
+        own_error = max(own_error, light_lines.FRICTION_BAR)
     friction_by_data = error_by_data(conditions, case_warm, friction, error)
     return Heated(
         film,
         inlet,
         film * smallest_of(warmth),
         *errors_of(warmth),
-        warm.friction * factor(warm, film, loading),
-        FRICTION_BAR + by_shape + friction_by_data,
-        cold.friction * factor(cold, 1.0, 0.0),
+        warm.friction * factor(warm, film, loading, inlet),
+        own_error + friction_by_data,
+        cold.friction * factor(cold, 1.0, 0.0, 1.0),
         warm.rise_mid_film_k,
         warm.rise_surfaces_k,
         by_data,

@@ -7,6 +7,7 @@ from ehlwave.contact.heat_data import Heat
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.laws import inlet_coefficients as inlet
 from ehlwave.laws.heat_laws import LOWEST_RATIO, RANGES, Heated, loading_of, warmed
+from ehlwave.laws.light_lines import LightRange
 
 ROLLING_RANGES = RANGES | {
     "load_parameter_m": inlet.M_RANGE,
@@ -17,11 +18,34 @@ ROLLING_RANGES = RANGES | {
     "Peclet number of a surface": (0.0, np.inf),
 }
 """Ranges of contacts in pure rolling, where the warm inlet alone thins the film."""
-LINE_RANGES = RANGES | {
-    "load_parameter_m": (2.0, 1500.0),
-    "film over Hertz approach": (0.0, 1.0),
+_LIGHT = LightRange()
+LIGHT = {
+    "hertz_pressure_pa": _LIGHT.hertz_pressure_pa,
+    "film over Hertz approach": _LIGHT.film_over_approach,
 }
+"""Ranges of light line contacts, which reach farther."""
+LINE_RANGES = (
+    RANGES
+    | LIGHT
+    | {
+        "load_parameter_m": (_LIGHT.load_parameter_m[0], RANGES["load_parameter_m"][1]),
+        "eyring_stress_pa": (1e6, RANGES["eyring_stress_pa"][1]),
+    }
+)
 """Ranges of line contacts that slide."""
+LINE_ROLLING_RANGES = (
+    ROLLING_RANGES
+    | LIGHT
+    | {
+        "load_parameter_m": (_LIGHT.load_parameter_m[0], inlet.M_RANGE[1]),
+        "hertz_pressure_pa": (
+            _LIGHT.hertz_pressure_pa[0],
+            ROLLING_RANGES["hertz_pressure_pa"][1],
+        ),
+        "eyring_stress_pa": LINE_RANGES["eyring_stress_pa"],
+    }
+)
+"""Ranges of line contacts in pure rolling."""
 
 
 def heated(
@@ -82,7 +106,10 @@ def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float |
         "Peclet number of a surface": _peclet_numbers(conditions, heat),
     }
     rolls = conditions.slip_parameter == 1
-    ranges = ROLLING_RANGES if rolls else LINE_RANGES if conditions.is_line else RANGES
+    if conditions.is_line:
+        ranges = LINE_ROLLING_RANGES if rolls else LINE_RANGES
+    else:
+        ranges = ROLLING_RANGES if rolls else RANGES
     for name, found in values.items():
         low, high = ranges[name]
         for value in found:

@@ -133,7 +133,7 @@ def _cells_of(line: str, separator: str | None, columns: int) -> list[str] | Non
     if columns == 1:
         is_statement = re.search(r"[:=]|(?:^|[\s;,])[-+]?\d", line)
         return None if is_statement else [line.strip().strip('";,\t')]
-    closed = re.sub(r"(?<=[\])}])\s+(?=\S)", "\t", re.sub(r"\s+(?=[\[({])", " ", line.strip()))
+    closed = re.sub(r"(?<=[\])}])\s+(?=\S)", "\t", line.strip())
     if separator is not None and separator in line.rstrip(f" {separator}"):
         ways = [line.split(separator)]
     else:
