@@ -252,7 +252,7 @@ def test_empty_cells_are_missing_heights(tmp_path: Path) -> None:
             rows(2 * np.arange(40), HEIGHTS),
             "states no unit of its heights: set height_unit=",
         ),
-        ("t.csv", "x,z_um\n" + rows(np.arange(9.0), np.ones(9)), "its lengths are"),
+        ("t.csv", "x,z_um\n" + rows(np.arange(9.0), np.ones(9)), "no unit of its lengths"),
         ("t.csv", "z_um\n" + rows(HEIGHTS), "set length_unit="),
         ("t.csv", "x_nm,z_um\n" + rows(np.arange(40), HEIGHTS), "root mean square slope"),
         ("t.npy", "nonsense", "cannot be read as npy"),
