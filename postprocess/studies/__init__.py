@@ -6,9 +6,9 @@
   ``two_waves``;
 - accuracy and cost: ``accuracy``, ``all_keys``, ``answered``, ``budget``, ``calibrate``,
   ``elements``, ``error_time``, ``line_work``, ``speed``, ``threads``, ``stability``,
-  ``touching``, ``peers`` with ``peer_runs`` and ``peer_slippy``;
-- shipped data: ``atlas``, ``starvation``, ``heat``, ``heat_films``, ``heated_contacts``,
-  ``inlet_law``, ``inlet_tables``, ``judged``;
+  ``touching``, ``touching_films``, ``peers`` with ``peer_runs`` and ``peer_slippy``;
+- shipped data: ``atlas``, ``starvation``, ``heat``, ``heat_ends``, ``heat_films``,
+  ``heated_contacts``, ``inlet_law``, ``inlet_tables``, ``judged``;
 - published values that tests compare: ``published``, ``rolling``.
 
 ``command`` is ``scripts/study``, which runs them all. ``section`` holds the parts of a report,

@@ -22,16 +22,18 @@ Array = np.ndarray[Any, Any]
 _MODULUS_PA = 226e9
 _ALPHA = 2.2e-8
 _RADIUS_M = 0.01
+BOUNDARY_M = 2e-8
 _POINTS = 200
 _REACHED = 0.95
 """Share of the marches that must reach the end."""
 _VALUES = (
     *("status", "message", "touching_share", "touching_share_error", "touching_area", "residual"),
     *("touching_is_artefact", "mean_film_um", "nonlinear_steps", "linear_steps", "seconds"),
+    *("counted_work_units", "expected_work_units", "oil_friction_coefficient"),
 )
 
 
-def _contact(chance: random.Random, *, is_line: bool) -> tuple[dict[str, Any], float, float]:
+def contact(chance: random.Random, *, is_line: bool) -> tuple[dict[str, Any], float, float]:
     """Return conditions, half width and central film in metres by the usual formulas."""
     hertz = chance.uniform(0.4e9, 1e9)
     speed = math.exp(chance.uniform(math.log(0.02), math.log(0.5)))
@@ -60,6 +62,17 @@ def _wave(chance: random.Random, rq: float, *, is_line: bool) -> dict[str, Any]:
     amplitude = rq * (2 if orientation == "isotropic" else math.sqrt(2))
     length = round(chance.uniform(0.5, 1.5), 2)
     return {"orientation": orientation, "wavelength_over_a": length, "amplitude_m": amplitude}
+
+
+def smooth_case(conditions: dict[str, Any], cells: int, *, is_line: bool) -> Groups:
+    """Return the groups of smooth surfaces that may touch, of a Newtonian oil."""
+    grid = {"x_min": -3, "x_max": 1.5, "cells_x": cells, "edges": "truncated"}
+    return {
+        "conditions": conditions,
+        "lubricant": {"pressure_viscosity_per_pa": _ALPHA, "roelands_index": 0.68},
+        "touching": {"film_m": BOUNDARY_M},
+        "grid": grid if is_line else grid | {"y_max": 2, "cells_y": cells},
+    }
 
 
 def _ramp(x: Array, length: float) -> Array:
@@ -95,19 +108,12 @@ def draw(number: int, folder: Path) -> tuple[str, Groups]:
     kind = chance.choice(
         ("wave", "pair") if is_line else ("wave", "pair", "map")
     )  # lines take waves
-    conditions, width, film = _contact(chance, is_line=is_line)
+    conditions, width, film = contact(chance, is_line=is_line)
     rq = film * math.exp(chance.uniform(math.log(0.3), math.log(3)))
     cells = 192 if is_line else 48
-    grid = {"x_min": -3, "x_max": 1.5, "cells_x": cells, "edges": "truncated"}
-    lubricant = {"pressure_viscosity_per_pa": _ALPHA, "roelands_index": 0.68}
+    groups = smooth_case(conditions, cells, is_line=is_line)
     if chance.random() < 0.5:
-        lubricant |= {"flow_law": "eyring", "eyring_stress_pa": 1e7}
-    groups: Groups = {
-        "conditions": conditions,
-        "lubricant": lubricant,
-        "touching": {"film_m": 2e-8},
-    }
-    groups["grid"] = grid if is_line else grid | {"y_max": 2, "cells_y": cells}
+        groups["lubricant"] |= {"flow_law": "eyring", "eyring_stress_pa": 1e7}
     if kind == "map":
         _write_map(folder / f"map{number}.h5", chance, rq, width, is_line=is_line)
         groups |= {"surface": {"file": f"map{number}.h5"}, "dynamics": {"end_time": 5}}
@@ -119,6 +125,17 @@ def draw(number: int, folder: Path) -> tuple[str, Groups]:
     return f"{'line' if is_line else 'ball'} {kind}, Rq/film {rq / film:.2f}", groups
 
 
+def solve(groups: Groups, folder: Path) -> dict[str, Any]:
+    """Run a case; its numbers, or the message of the program."""
+    write_new_text(folder / "case.nml", programs.namelist(groups))
+    outcome = programs.run("case", "case.nml", "--json", "--quiet", folder=folder)
+    lines = outcome.stdout.strip().splitlines()
+    if not lines or not lines[-1].startswith("{"):
+        return {"message": outcome.stderr[-300:]}
+    found: dict[str, Any] = json.loads(lines[-1])
+    return found
+
+
 def run_one(number: int, *, is_finer: bool = False) -> dict[str, Any]:
     """Run a march; with `is_finer` on twice the cells."""
     with tempfile.TemporaryDirectory() as name:
@@ -126,15 +143,8 @@ def run_one(number: int, *, is_finer: bool = False) -> dict[str, Any]:
         if is_finer:
             doubled = {key: 2 * value for key, value in groups["grid"].items() if "cells" in key}
             groups["grid"] = groups["grid"] | doubled
-        write_new_text(Path(name, "case.nml"), programs.namelist(groups))
         start = time.monotonic()
-        outcome = programs.run("case", "case.nml", "--json", "--quiet", folder=name)
-        lines = outcome.stdout.strip().splitlines()
-        found = (
-            json.loads(lines[-1])
-            if lines and lines[-1].startswith("{")
-            else {"message": outcome.stderr[-300:]}
-        )
+        found = solve(groups, Path(name))
     entry = {
         "number": number,
         "finer": is_finer,

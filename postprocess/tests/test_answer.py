@@ -80,7 +80,7 @@ def test_lambda_names_the_limits_and_their_source_and_is_shorter(
     tmp_path: Path, capsys: Capture
 ) -> None:
     file = trace_file(tmp_path, 0.3)
-    assert main(["lambda", file, *words(viscosity_pa_s=0.006)]) == 0
+    assert main(["lambda", file, *words(viscosity_pa_s=0.002)]) == 0
     said = capsys.readouterr().out
     assert "mixed" in said.splitlines()[0]
     assert "(extrapolated, the surfaces touch)" in said.splitlines()[0]

@@ -74,6 +74,7 @@ def _predicted(options: argparse.Namespace, path: Path, contact: Contact) -> Def
             options.ends,
             (_metres(options.cutoff), _metres(options.short_cutoff)),
             _transfer(options, contact.conditions),
+            _metres(options.boundary_film),
         )
 
 

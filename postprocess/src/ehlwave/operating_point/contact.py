@@ -120,6 +120,7 @@ class Contact(WavyContact):
         ends: Window = "mirror",
         cutoffs_m: Cutoffs = (None, None),
         transfer: Transfer | None = None,
+        boundary_film_m: float | None = None,
         **reading: Any,  # noqa: ANN401
     ) -> Deformed:
         """Predict the shape of a measured surface inside the contact, and the film over it.
@@ -135,6 +136,8 @@ class Contact(WavyContact):
             See :func:`ehlwave.surface.deform_surface`; ``cutoffs_m`` is (lambda_c, lambda_s).
         transfer : Transfer, optional
             In place of a law of the list.
+        boundary_film_m : float, optional
+            Film at which solids begin to bear, to decide whether the surfaces touch in rolling.
         **reading
             Of :class:`ehlwave.surface.ReadOptions`, for data that the surface lacks.
 
@@ -165,7 +168,9 @@ class Contact(WavyContact):
         >>> print(f"Rq {before * 1e9:.0f} nm as measured, {after * 1e9:.0f} nm in the contact")
         Rq 35 nm as measured, 34 nm in the contact
         """
-        found = self._deformed(surface, by, form, ends, cutoffs_m, transfer, **reading)
+        found = self._deformed(
+            surface, by, form, ends, cutoffs_m, transfer, boundary_film_m, **reading
+        )
         warn(found.doubts)
         return found
 
@@ -315,6 +320,7 @@ class Contact(WavyContact):
         ends: Window = "mirror",
         cutoffs_m: Cutoffs = (None, None),
         transfer: Transfer | None = None,
+        boundary_film_m: float | None = None,
         **reading: Any,  # noqa: ANN401
     ) -> Deformed:
         """Return the result of :meth:`deform`, without warnings."""
@@ -330,7 +336,9 @@ class Contact(WavyContact):
         film_by = by if by in FILM_BY else None
         conditions, notices = self._filmed(film_by)
         transfer = transfer or self._transfer(None, by)
-        found = deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
+        found = deform_surface(
+            measured, conditions, transfer, form, ends, cutoffs_m, boundary_film_m
+        )
         found.warnings.extend(notices)
         return found
 

@@ -161,12 +161,15 @@ def deform_surface(
     form: Form = "plane",
     window: Window = "mirror",
     cutoffs_m: Cutoffs = (None, None),
+    boundary_film_m: float | None = None,
 ) -> Deformed:
     """Predict the shape of a surface inside the contact, without a simulation.
 
     The surface is decomposed into its Fourier components, each is multiplied by its transfer, and
     the sum is taken again. Linear: meant for amplitudes that are small against the film. The mean
-    film is to second order where the transfer has rises, the contribution of each component.
+    film is to second order where the transfer has rises, the contribution of each component. In
+    pure rolling larger rises of wavy surfaces are of averaged flow, see
+    :mod:`ehlwave.surface.averaged_film`.
 
     Parameters
     ----------
@@ -183,6 +186,8 @@ def deform_surface(
     cutoffs_m : pair of float, optional
         lambda_c and lambda_s of Gaussian filters, m; waves longer than the first, and shorter than
         the second, are taken out before. None: not filtered.
+    boundary_film_m : float, optional
+        Film at which solids begin to bear: surfaces touch where the smallest film is below.
 
     Returns
     -------
@@ -224,7 +229,11 @@ def deform_surface(
     before_m = math.sqrt(cover.total.before)
     error = error_m / before_m if error_m is not None and before_m > 0 else error_m
     known = Components(rise, error)
-    statistics = film_statistics(flat.height[part], height[part], conditions, known)
+    if boundary_film_m is not None and not number(boundary_film_m, "boundary_film_m") > 0:
+        raise SurfaceError(f"boundary_film_m = {boundary_film_m}: give a film above 0, in m")
+    statistics = film_statistics(
+        flat.height[part], height[part], conditions, known, boundary_film_m
+    )
     is_for_rolling = isinstance(chosen, FormulaBasis)
     return Deformed(
         surface=flat,

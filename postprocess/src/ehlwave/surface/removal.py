@@ -90,7 +90,9 @@ class Bands:
         if ratio is None or film is None or not len(sums) or not sums[:, 1].sum() > 0:
             return []
         whole = sums.sum(axis=0)
-        risen = statistics.mean_rise_m or 0.0
+        risen = 0.0  # averaged flow has no share of each band
+        if statistics.mean_rise_by == "second order":
+            risen = statistics.mean_rise_m or 0.0
         bands = []
         for (octave, turn), (before, after, rise) in self._sums.items():
             lift = risen * rise / whole[2] if whole[2] else 0.0

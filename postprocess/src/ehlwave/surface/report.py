@@ -104,14 +104,21 @@ def _film_lines(result: Deformed) -> list[str]:
     c, s = result.conditions, result.statistics
     rise = "its rise by the roughness is not known"
     if s.mean_rise_m is not None:
-        rise = f"{s.mean_rise_m * UM:.3g} um of it by the roughness, to second order"
+        by = "to second order" if s.mean_rise_by == "second order" else f"by {s.mean_rise_by}"
+        rise = f"{s.mean_rise_m * UM:.3g} um of it by the roughness, {by}"
     elif s.extrapolated:
         rise = "its rise by the roughness is not used at this amplitude"
     least = "the surfaces touch: no smallest film"
     if s.minimum_film_m is not None:
         least = f"minimum {s.minimum_film_m * UM:.4g} um"
+    if s.minimum_film_m is not None and s.boundary_film_m:
+        least += f": does not touch (boundary film {s.boundary_film_m * UM:.4g} um)"
+    within = ""
+    if s.mean_rise_by == "averaged flow" and s.mean_film_error is not None:
+        within = f" within {_percent(s.mean_film_error)}"
     lines = [
-        f"Film         mean {s.mean_film_m * UM:.4g} um (smooth: {c.film_source}; {rise}), {least}",
+        f"Film         mean {s.mean_film_m * UM:.4g} um{within} (smooth: {c.film_source}; {rise}), "
+        f"{least}",
         f"             lambda ratio {s.lambda_ratio_before:.4g} with the undeformed roughness, "
         f"{s.lambda_ratio_after:.4g} with the deformed one (of this surface alone)",
     ]

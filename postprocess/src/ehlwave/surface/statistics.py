@@ -13,6 +13,13 @@ from ehlwave.surface.amplitude import (
     rise_error,
     validated_amplitude,
 )
+from ehlwave.surface.averaged_film import (
+    FLOOR,
+    SMALL_RISE,
+    averaged_error,
+    averaged_film,
+    is_covered,
+)
 from ehlwave.surface.surface import Heights
 
 LINEAR_LIMIT = 0.3
@@ -32,14 +39,21 @@ class FilmStatistics:
     mean_film_m: float | None = None
     """Film at the rough contact's centre: the smooth central film and `mean_rise_m`, if used."""
     mean_rise_m: float | None = None
-    """Rise of the mean film by the roughness, to second order. None: the transfer has no rises, or
-    the amplitude is above their tested range.
+    """Rise of the mean film by the roughness. None: the transfer has no rises, or the amplitude is
+    above their tested range.
     """
+    mean_rise_by: str | None = None
+    """``"second order"``, or ``"averaged flow"`` for larger rises in pure rolling."""
+    mean_film_error: float | None = None
+    """Relative error of the mean film; None: not known."""
     minimum_film_m: float | None = None
     """At the highest deformed point, by :func:`ehlwave.surface.amplitude.lowest_film`: marches have
-    more there than the mean film less that point. None where that is not above 0."""
+    more there than the mean film less that point. None where the surfaces touch."""
     surfaces_touch: bool | None = None
-    """Whether it is not. Marches then touch somewhere in the contact, if not at its centre."""
+    """Whether it is below the boundary film. Without one: whether the highest deformed point is
+    above the mean film; marches then touch somewhere in the contact, if not at its centre."""
+    boundary_film_m: float | None = None
+    """Film at which solids begin to bear, as given."""
     lambda_ratio_before: float | None = None
     lambda_ratio_after: float | None = None
     """`lambda_ratio_before`, `lambda_ratio_after`: mean film over Rq before (the usual ratio) and
@@ -68,7 +82,11 @@ class Components:
 
 
 def film_statistics(
-    before: Heights, after: Heights, conditions: Conditions, known: Components
+    before: Heights,
+    after: Heights,
+    conditions: Conditions,
+    known: Components,
+    boundary_film_m: float | None = None,
 ) -> FilmStatistics:
     """Return the statistics of a surface before and after, by the film of the conditions."""
     rq_before, rq_after = _rms(before), _rms(after)
@@ -84,24 +102,44 @@ def film_statistics(
     amplitude = math.sqrt(2) * rq_before / film
     rise = None if known.rise is None else float(known.rise * (rq_before / film) ** 2)
     extrapolated = amplitude > validated_amplitude(conditions)
-    is_used = rise is not None and not extrapolated and abs(rise) <= LARGEST_RISE
-    mean_film = film * (1 + rise) if is_used else film
+    boundary = (boundary_film_m or 0.0) / film
+    crest = float(after.max()) - float(np.mean(after, dtype=np.float64))
+    is_averaged = (
+        rise is not None
+        and conditions.rolls
+        and is_covered(rq_before / film, crest / film, rq_after / film, rise)
+    )
+    rise_by, ratio = None, 1.0
+    rise_part = rise_error(conditions, amplitude) + (0.0 if rise is None else abs(rise))
+    largest = SMALL_RISE if is_averaged else LARGEST_RISE
+    if rise is not None and not extrapolated and abs(rise) <= largest:
+        rise_by, ratio = "second order", 1 + rise
+        rise_part = rise_error(conditions, amplitude) / ratio
+    elif rise is not None and is_averaged:
+        rise_by, ratio = "averaged flow", averaged_film(after / film, rise, boundary or FLOOR)
+        rise_part = averaged_error(rq_after / film, is_line=conditions.is_line)
+    mean_film = film * ratio
     least = float(mean_film - after.max()) / film
+    # High points are flattened more than by linear responses.
+    bends = conditions.rolls and boundary > 0 and rise_by is not None
+    is_above = lowest_film(least) > boundary and (least > 0 or bends)
     errors = None
     if known.error is not None and conditions.central_film_error is not None:
-        unused = 0.0 if rise is None or is_used else abs(rise)
         errors = {
             "film": conditions.central_film_error,
             "responses": _quotient(known.error * rq_before, rq_after),
             "amplitude": expected_nonlinearity(conditions, amplitude),
-            "rise": (rise_error(conditions, amplitude) + unused) * film / mean_film,
+            "rise": rise_part,
         }
     return FilmStatistics(
         **heights,
         mean_film_m=mean_film,
-        mean_rise_m=mean_film - film if is_used else None,
-        minimum_film_m=lowest_film(least) * film if least > 0 else None,
-        surfaces_touch=least <= 0,
+        mean_rise_m=None if rise_by is None else mean_film - film,
+        mean_rise_by=rise_by,
+        mean_film_error=None if errors is None else errors["film"] + errors["rise"],
+        minimum_film_m=lowest_film(least) * film if is_above else None,
+        surfaces_touch=not is_above,
+        boundary_film_m=boundary_film_m,
         lambda_ratio_before=_quotient(mean_film, rq_before),
         lambda_ratio_after=_quotient(mean_film, rq_after),
         lambda_errors=errors,
@@ -116,12 +154,19 @@ def doubts_of(statistics: FilmStatistics, conditions: Conditions) -> list[str]:
     found = []
     if statistics.extrapolated:
         limit = validated_amplitude(conditions)
+        film = "the mean film is the smooth one, without its rise by the roughness"
+        if statistics.mean_rise_by is not None:
+            film = f"the mean film is of {statistics.mean_rise_by}"
         found.append(
             f"extrapolated: the amplitude, sqrt(2) Rq, is {statistics.amplitude_over_film:.2g} of "
-            f"the film, above {limit:g}, the largest that predictions were compared with; the mean "
-            "film is the smooth one, without its rise by the roughness"
+            f"the film, above {limit:g}, the largest that predictions were compared with; {film}"
         )
-    if statistics.surfaces_touch:
+    if statistics.surfaces_touch and statistics.boundary_film_m and statistics.mean_rise_by:
+        found.append(
+            "the surfaces touch: the smallest film falls to the boundary film; the load on the "
+            "solids needs a march (ehlwave-case with &touching)"
+        )
+    elif statistics.surfaces_touch:
         found.append(
             "the surfaces touch: the highest deformed point is above the mean film, so that there "
             "is no smallest film; how they touch the prediction does not describe"

@@ -147,6 +147,12 @@ def _add_prediction(parser: argparse.ArgumentParser) -> None:
         metavar="UM",
         help="lambda_s, um: shorter waves are left out as noise",
     )
+    parser.add_argument(
+        "--boundary-film",
+        type=float,
+        metavar="UM",
+        help="film at which solids begin to bear, um: in rolling, whether the surfaces touch",
+    )
     source = add_laws(parser, "--formula")
     source.add_argument(
         "--refit", type=Path, metavar="FILE", help="coefficients from refit.csv or refit.json"
