@@ -174,6 +174,27 @@ def test_interpolated_waves_are_those_of_finer_grids() -> None:
     np.testing.assert_allclose(transfer.ratio(-qx, 0 * qx), found.conj())
 
 
+def test_rolling_contacts_whose_inlet_stays_cold_are_computed_without_heat() -> None:
+    given = {
+        "radius_x_m": 0.01,
+        "reduced_modulus_pa": 2.26e11,
+        "load_n_per_m": 5e4,
+        "mean_speed_m_per_s": 0.05,
+        "viscosity_pa_s": 0.02,
+        "pressure_viscosity_per_pa": 2e-8,
+    }
+    heat = ehlwave.Heat(313.15, 0.04, 0.14, 2000, 870)
+    warm = ehlwave.Contact(**given, heat=heat).film(by="computed")
+    cold = ehlwave.Contact(**given).film(by="computed")
+    assert warm.heated is not None
+    assert warm.heated.film_factor == 1
+    assert warm.central_m == cold.central_m
+    assert 0 < warm.central_error - cold.central_error < 0.002
+    fast = ehlwave.Contact(**given | {"mean_speed_m_per_s": 10}, heat=heat).film(by="computed")
+    assert fast.heated is not None
+    assert fast.heated.film_factor < 0.98
+
+
 def test_starved_contacts_are_computed() -> None:
     ball = ehlwave.Contact(load_parameter_m=60, lubricant_parameter_l=8, radius_ratio_d=0.5)
     c = replace(ball.conditions, oil_over_flooded=0.7)

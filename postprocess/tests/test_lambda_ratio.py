@@ -113,10 +113,10 @@ def random_contact(kind: str, rng: np.random.Generator) -> dict[str, float]:
 @pytest.mark.parametrize("kind", ["rolling", "line", "sliding"])
 def test_it_falls_with_the_film_of_random_contacts(kind: str) -> None:
     rng, seen = np.random.default_rng(5), 0
-    for _ in range(5):
+    for _ in range(3):
         surface = noise(rng, 10 ** rng.uniform(-8, -6.5), 10 ** rng.uniform(-5.5, -4.3))
         keys, before = random_contact(kind, rng), np.inf
-        for speed in np.geomspace(10, 0.01, 12):
+        for speed in np.geomspace(10, 0.01, 8):
             try:
                 found = deformed(surface, **keys | {"mean_speed_m_per_s": speed}).statistics
             except ehlwave.RangeError:  # outside the atlas
@@ -124,7 +124,7 @@ def test_it_falls_with_the_film_of_random_contacts(kind: str) -> None:
             ratio, seen = found.lambda_ratio_after, seen + 1
             assert ratio < before, (keys, speed)
             before = ratio
-    assert seen > 25
+    assert seen > 10
 
 
 def test_where_it_is_extrapolated_python_warns_at_the_line_of_the_call() -> None:

@@ -200,7 +200,7 @@ WRONG = [
         film, {"viscosity_pa_s": 0.7, "load_n": 5}, "gives M = ", "holds {} to", {"load_n": None}
     ),
     Wrong(balls, {"load_n": 0.2}, "load_n = 0.2 gives M = ", "holds {} to", {"load_n": None}),
-    Wrong(lines, {"load_n": 2}, "load_n = 2 gives M = ", "holds {} to", {"load_n": None}),
+    Wrong(lines, {"load_n": 1.4}, "load_n = 1.4 gives M = ", "holds {} to", {"load_n": None}),
     value(moes, "load_parameter_m", 3, "20", "5 to 100000"),
     value(sliding, "slide_to_roll_ratio", 3, "1", "-2 to 2"),
     value(response, "wavelength_over_a", 9, "4", "0.1 to 4"),

@@ -25,7 +25,7 @@ contains
    !> place, the other for a disturbance that the oil carries along. Pressures stay in the range of their neighbours at
    !> the step before.
    subroutine extrapolate(m, wave_step, past, state)
-      integer, intent(in) :: m                       !! cells that a feature travels per step
+      integer, intent(in) :: m                       !! cells that a feature travels per step, 0: less than one
       real(dp), intent(in) :: wave_step              !! w dT of the waves, 0: none
       type(past_t), intent(in) :: past
       type(state_t), intent(inout) :: state

@@ -133,9 +133,10 @@ contains
       type(state_t), intent(inout) :: state
       if (allocated(self%waves) .and. self%result%steps < young) then
          call carry_on(self%past, self%waves, t, dt, state)
-      else if (self%settings%steps_per_cell == 1) then
+      else
          if (self%period%is_known()) call look_up(self%period, t, dt, self%past)
-         call extrapolate(self%settings%cells_per_step, self%settings%surfaces%frequency()*dt, self%past, state)
+         call extrapolate(merge(self%settings%cells_per_step, 0, self%settings%steps_per_cell == 1), &
+            self%settings%surfaces%frequency()*dt, self%past, state)
       end if
    end subroutine guess
 

@@ -5,7 +5,7 @@
 !>
 !> with the keys that the file gives, in the order of the table. Numbers are their bits, words are hexadecimal.
 program key_listing
-   use, intrinsic :: iso_fortran_env, only: input_unit, output_unit
+   use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: key_value_t, word_kind
    use ehlwave_case_keys, only: case_key_list
@@ -13,17 +13,10 @@ program key_listing
    use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: i8
    use ehlwave_namelist, only: namelist_t
+   use listing, only: hexadecimal, list_paths
    implicit none (type, external)
 
-   character(len=4096) :: path
-   integer :: io
-
-   do
-      read (input_unit, '(a)', iostat=io) path
-      if (io /= 0) exit
-      call list_file(trim(path))
-      flush (output_unit)
-   end do
+   call list_paths(list_file)
 
 contains
 
@@ -54,14 +47,8 @@ contains
    function listed(value) result(text)
       type(key_value_t), intent(in) :: value
       character(len=:), allocatable :: text
-      integer :: i
-
       if (value%kind == word_kind) then
-         allocate (character(len=2*len(value%word) + 1) :: text)
-         text(1:1) = 'x'
-         do i = 1, len(value%word)
-            write (text(2*i:2*i + 1), '(z2.2)') iachar(value%word(i:i))
-         end do
+         text = 'x'//hexadecimal(value%word)
       else
          allocate (character(len=16) :: text)
          write (text, '(z16.16)') transfer(value%number, 1_i8)

@@ -6,24 +6,17 @@
 !> with '&' before each group, '=' before each key and 'w' or 'q' (in quotes) before each value. Texts are
 !> hexadecimal; numbers are their bits, and '-' where the value has another kind.
 program namelist_listing
-   use, intrinsic :: iso_fortran_env, only: input_unit, output_unit
+   use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp, i8
    use ehlwave_namelist_scanner, only: contents_t, scan_namelist, value_t
    use ehlwave_namelist_values, only: read_value
    use ehlwave_text, only: to_text
    use ehlwave_text_file, only: read_text
+   use listing, only: hexadecimal, list_paths
    implicit none (type, external)
 
-   character(len=4096) :: path
-   integer :: io
-
-   do
-      read (input_unit, '(a)', iostat=io) path
-      if (io /= 0) exit
-      call list_file(trim(path))
-      flush (output_unit)
-   end do
+   call list_paths(list_file)
 
 contains
 
@@ -86,14 +79,5 @@ contains
          line = line//' '//merge('t', 'f', truth)
       end if
    end function listed
-
-   pure function hexadecimal(text)
-      character(len=*), intent(in) :: text
-      character(len=2*len(text)) :: hexadecimal
-      integer :: i
-      do i = 1, len(text)
-         write (hexadecimal(2*i - 1:2*i), '(z2.2)') iachar(text(i:i))
-      end do
-   end function hexadecimal
 
 end program namelist_listing

@@ -15,6 +15,7 @@ program test_first_guess
    call check_exact(1, by_wave=0.01_dp, by_oil=0.0_dp)
    call check_exact(1, by_wave=0.0_dp, by_oil=0.01_dp)
    call check_exact(2, by_wave=0.01_dp, by_oil=0.01_dp)
+   call check_exact(0, by_wave=0.01_dp, by_oil=0.0_dp)   ! steps shorter than a cell
    call check_steep()
    call test%finish()
 

@@ -10,6 +10,7 @@ from ehlwave.contact.heat_data import CONDUCTIVITY_ERROR, Heat
 from ehlwave.errors import ProgramError
 from ehlwave.laws.answers import Film
 from ehlwave.laws.heat_laws import Heated, warmed
+from ehlwave.laws.inlet_warming import inlet_warming
 from ehlwave.laws.isothermal_friction import isothermal_error_by_data
 from ehlwave.programs.case_input import case_keys
 from ehlwave.programs.computing import Result, run_case
@@ -26,6 +27,10 @@ LARGEST_LINE = 8192
 LARGEST_GRID, STARVED_SHARE, WARM_SHARE = 2**18, 2, 4
 """Cells of other contacts (3 s on two cores), and divisors for starved and warm contacts.
 """
+
+NEGLIGIBLE_LOSS = 0.002
+"""Loss of the film by the warm inlet below which contacts in pure rolling are computed without
+heat: less than the error of the film, and heat takes many times as long."""
 
 SOURCE = "computed by ehlwave-case"
 
@@ -53,6 +58,10 @@ def computed_film(
     RangeError
         If the central film is given.
     """
+    if heat is not None and conditions.rolls:
+        loss = inlet_warming(conditions, heat=heat).loss
+        if loss < NEGLIGIBLE_LOSS:
+            return _slightly_warmed(computed_film(conditions, None, progress), loss)
     found = smooth_case(conditions, heat, progress)
     central, minimum = found["central_film_moes"], found["minimum_film"]
     minimum *= central / found["central_film"]
@@ -79,6 +88,17 @@ def computed_film(
         rolling_resistance=_known(found, "rolling_resistance"),
         rolling_resistance_error=_known(found, "rolling_resistance_error"),
         heated=None if heat is None else _heated(found, by_data, friction, friction_error),
+    )
+
+
+def _slightly_warmed(cold: Film, loss: float) -> Film:
+    """Return a film without heat as a film with heat; its errors grow by the loss."""
+    central, minimum = cold.central_error + loss, cold.minimum_error + loss
+    return replace(
+        cold,
+        central_error=central,
+        minimum_error=minimum,
+        heated=Heated(1.0, 1.0, 1.0, central, minimum),
     )
 
 

@@ -13,6 +13,8 @@ from ehlwave.laws.friction_range import friction_outside, slight_slip_error
 from ehlwave.laws.heat_laws import Heated
 from ehlwave.laws.heated_contact import heated
 from ehlwave.laws.isothermal_friction import isothermal_error_by_data
+from ehlwave.laws.rigid_lines import SOURCE as RIGID
+from ehlwave.laws.rigid_lines import is_rigid, rigid_film
 from ehlwave.laws.rolling_resistance import rolling_of
 from ehlwave.laws.starved_transfer import check_starved
 
@@ -46,8 +48,11 @@ def film_of(
     rolls = c.is_line and heat is not None
     slip = 1.0 if rolls else c.film_slip
     thinned = c.rolling_film_error if rolls else 0.0
-    chart = chart_at(slip)
-    film = chart.film()
+    if slip == 1 and is_rigid(c):
+        film, source = rigid_film(c), RIGID
+    else:
+        chart = chart_at(slip)
+        film, source = chart.film(), chart.film_source
     friction = friction_error = None
     if film.stress is not None and eyring_stress_pa is not None:
         hertz_pa = c.alphabar / c.oil.pressure_viscosity_per_pa
@@ -59,7 +64,7 @@ def film_of(
         friction_error = (1 + own) * (1 + by_data) - 1
     scale, more = c.metres_per_moes, thinned + c.oil_error
     minimum_more = more
-    central, source = film.central_moes * c.film_ratio, chart.film_source
+    central = film.central_moes * c.film_ratio
     by_heat: Heated | None = None
     minimum = film.minimum_moes if not c.is_starved else math.nan
     if heat is not None:

@@ -206,7 +206,7 @@ def warmed(
         both = (float(film_error(inlet, warmth, of)) for of in ("central", "smallest"))
         more = by_data
         if is_light:
-            more += light_lines.FILM_BAR + light_lines.FILM_BAR_BY_LOSS * (1 - inlet)
+            more += light_lines.film_bar(conditions.m, 1 - inlet)
         central, smallest = (one + more for one in both)
         return central, smallest
 

@@ -7,7 +7,8 @@ from ehlwave.contact.heat_data import Heat
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.laws import inlet_coefficients as inlet
 from ehlwave.laws.heat_laws import LOWEST_RATIO, RANGES, Heated, loading_of, warmed
-from ehlwave.laws.light_lines import LightRange
+from ehlwave.laws.light_lines import LIGHT
+from ehlwave.laws.rigid_lines import LOWEST_M
 
 ROLLING_RANGES = RANGES | {
     "load_parameter_m": inlet.M_RANGE,
@@ -18,33 +19,19 @@ ROLLING_RANGES = RANGES | {
     "Peclet number of a surface": (0.0, np.inf),
 }
 """Ranges of contacts in pure rolling, where the warm inlet alone thins the film."""
-_LIGHT = LightRange()
-LIGHT = {
-    "hertz_pressure_pa": _LIGHT.hertz_pressure_pa,
-    "film over Hertz approach": _LIGHT.film_over_approach,
+LINE_RANGES = RANGES | {
+    "load_parameter_m": (LIGHT.load_parameter_m[0], RANGES["load_parameter_m"][1]),
+    "hertz_pressure_pa": LIGHT.hertz_pressure_pa,
+    "film over Hertz approach": LIGHT.film_over_approach,
+    "eyring_stress_pa": (1e6, RANGES["eyring_stress_pa"][1]),
 }
-"""Ranges of light line contacts, which reach farther."""
-LINE_RANGES = (
-    RANGES
-    | LIGHT
-    | {
-        "load_parameter_m": (_LIGHT.load_parameter_m[0], RANGES["load_parameter_m"][1]),
-        "eyring_stress_pa": (1e6, RANGES["eyring_stress_pa"][1]),
-    }
-)
 """Ranges of line contacts that slide."""
-LINE_ROLLING_RANGES = (
-    ROLLING_RANGES
-    | LIGHT
-    | {
-        "load_parameter_m": (_LIGHT.load_parameter_m[0], inlet.M_RANGE[1]),
-        "hertz_pressure_pa": (
-            _LIGHT.hertz_pressure_pa[0],
-            ROLLING_RANGES["hertz_pressure_pa"][1],
-        ),
-        "eyring_stress_pa": LINE_RANGES["eyring_stress_pa"],
-    }
-)
+LINE_ROLLING_RANGES = ROLLING_RANGES | {
+    "load_parameter_m": (LOWEST_M, inlet.M_RANGE[1]),
+    "hertz_pressure_pa": (0.0, ROLLING_RANGES["hertz_pressure_pa"][1]),
+    "film over Hertz approach": (0.0, np.inf),
+    "eyring_stress_pa": LINE_RANGES["eyring_stress_pa"],
+}
 """Ranges of line contacts in pure rolling."""
 
 
