@@ -5,10 +5,12 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import partial
+from itertools import cycle
 from pathlib import Path
 
 from matplotlib.figure import Figure
 
+from ehlwave.results.colour_key import COLOURS
 from ehlwave.results.figures import write_figure
 from studies import peer_runs
 from studies.command import costs
@@ -115,12 +117,15 @@ def figure_of(rows: Sequence[Row]) -> Figure:
     """Return error against processor time, a line for each solver."""
     figure = Figure(figsize=(4.4, 3.2), layout="constrained")
     axes = figure.subplots()
-    for contact, solver in dict.fromkeys((row.contact, row.solver) for row in rows):
+    lines = dict.fromkeys((row.contact, row.solver) for row in rows)
+    for (contact, solver), colour, mark in zip(
+        lines, cycle(COLOURS), cycle("os^Dv<"), strict=False
+    ):
         line = [row for row in rows if (row.contact, row.solver) == (contact, solver)]
         name = solver if contact == "mourier" else f"{solver} ({contact})"
         seconds, errors = [row.seconds for row in line], [row.error for row in line]
-        axes.loglog(seconds, errors, "o-", markersize=3, label=name)
-    axes.set_xlabel("processor time, s")
+        axes.loglog(seconds, errors, color=colour, marker=mark, markersize=4, label=name)
+    axes.set_xlabel("processor time [s]")
     axes.set_ylabel("relative error of the central film")
     axes.legend(fontsize="x-small", frameon=False)
     return figure

@@ -14,9 +14,10 @@ from contact import BALL
 import ehlwave
 from ehlwave.app import page, quantities
 from ehlwave.app.contacts import Given, made, source
+from ehlwave.app.messages import failure, plain
 from ehlwave.app.quantities import in_si
 from ehlwave.app.saving import document, script
-from ehlwave.app.shown import compared, decided, failure, headline, numbers, plain, tables
+from ehlwave.app.shown import change, compared, decided, headline, numbers, tables
 from ehlwave.app.task import Task, answered
 from ehlwave.app.uploads import LARGEST_BYTES, Upload, file_name, read_upload
 from ehlwave.app.work import SMALL_BYTES, Pools
@@ -88,8 +89,9 @@ def test_the_saved_script_and_document_repeat_the_film() -> None:
     assert saved["film"]["central_m"] == answer.film.central_m
     assert saved["surface"] is None
     assert f"{answer.film.central_m * 1e6:.4g} um" in headline(answer)
-    for name in ("Central", "Error of the minimum film", "Friction"):
+    for name in ("Central", "Minimum film", "Friction coefficient", "0 in pure rolling"):
         assert name in numbers(answer)
+    assert "Error of" not in numbers(answer)
 
 
 def test_heat_and_starvation_are_answered() -> None:
@@ -102,6 +104,8 @@ def test_heat_and_starvation_are_answered() -> None:
     assert names["film"] == warm.film
     assert warm.film.heated is not None
     assert "With heat" in numbers(warm)
+    with_heat = [name for name, _ in tables(warm)["With heat"]]
+    assert not [name for name in with_heat if "error" in name.lower()]
     assert json.loads(document(warm))["film"]["heated"]["friction"] == warm.film.heated.friction
     starved = answered(Task(Given(BALL | {"oil_over_flooded": 0.5})))
     assert starved.film == ehlwave.Contact(**BALL, oil_over_flooded=0.5).film()
@@ -141,11 +145,17 @@ def test_the_answer_has_hertz_one_friction_and_a_variant_beside_it() -> None:
     ]
     film = dict(tables(first)["Smooth contact"])
     assert [name for name in film if "riction" in name] == ["Friction coefficient"]
-    assert " within " in film["Friction coefficient"]
+    for name in ("Friction coefficient", "Central film", "Minimum film (Moes)"):
+        assert " within " in film[name]
     both = compared(first, second)
     for answer in (first, second):
         for _, value in tables(answer)["Contact"]:
             assert value in both
+    pressure = change(
+        *(dict(tables(each)["Contact"])["Hertz pressure"] for each in (first, second))
+    )
+    assert pressure == "+26 %"  # 2^(1/3)
+    assert f"<td>{pressure}</td>" in both
     assert decided(first) == "neutral"
 
 

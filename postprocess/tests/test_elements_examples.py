@@ -12,6 +12,7 @@ import pytest
 import ehlwave
 from ehlwave import elements
 from ehlwave.cli import main
+from ehlwave.cli.arguments.elements import EXAMPLES
 from ehlwave.elements.columns import TEXTS
 from ehlwave.elements.document import CALLS, KINDS, read_element
 from ehlwave.elements.drawing import DRAWINGS, drawing_svg
@@ -28,6 +29,17 @@ def kind_of(path: Path) -> str:
 
 def test_each_element_has_an_example_and_a_drawing() -> None:
     assert {read_element(path).name for path in FILES} == set(CALLS) == set(DRAWINGS)
+
+
+@pytest.mark.parametrize("kind", sorted(KINDS))
+def test_the_example_of_the_help_is_an_element(kind: str, tmp_path: Path) -> None:
+    shutil.copy(FOLDER / "cam_lift.csv", tmp_path / "lift.csv")
+    file = tmp_path / "element.toml"
+    file.write_text(EXAMPLES[kind], encoding="utf-8")
+    found = read_element(file)
+    assert found.name in KINDS[kind]
+    assert type(found.element()).__name__ == found.name
+    assert found.places()
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)

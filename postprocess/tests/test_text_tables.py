@@ -76,7 +76,7 @@ def test_columns_are_chosen_by_words_and_units(
 )
 def test_multiples_of_a_unit_are_asked(tmp_path: Path, heading: str) -> None:
     text = f"X [mm];{heading}\n" + table(X_MM, 1e-3 * Z_UM)  # a slope that any unit may have
-    with pytest.raises(SurfaceError, match="in which unit its heights are"):
+    with pytest.raises(SurfaceError, match="states no unit of its heights"):
         read(tmp_path, text)
 
 

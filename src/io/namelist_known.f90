@@ -3,10 +3,12 @@ module ehlwave_namelist_known
    use ehlwave_identity_index, only: identity_index_t, text_identity
    use ehlwave_namelist_scanner, only: name_length
    use ehlwave_spelling, only: nearest_word
-   use ehlwave_text, only: lower_case
+   use ehlwave_text, only: lower_case, to_text
    implicit none (type, external)
    private
    public :: known_names_t
+
+   integer, parameter :: longest_list = 30   !! names that a message lists
 
    type :: known_names_t
       character(len=name_length), allocatable, private :: groups(:), keys(:)   !! names of groups and keys, lower case
@@ -66,13 +68,13 @@ contains
       problem = 'unknown key '''//trim(key)//''' in &'//trim(group)//': '//problem
    end function key_problem
 
-   !> 'did you mean', or all known names when none is near.
+   !> 'did you mean', or all known names when none is near; of a long list their number and the option that prints it.
    pure function advice(name, known, mark, what) result(text)
       character(len=*), intent(in) :: name
       character(len=name_length), intent(in) :: known(:)   !! may hold a name several times
       character(len=*), intent(in) :: mark, what           !! before each name; 'groups' or 'keys'
       character(len=:), allocatable :: text
-      integer :: i
+      integer :: i, count
 
       i = nearest_word(name, known)
       if (i > 0) then
@@ -80,11 +82,17 @@ contains
          return
       end if
       text = ''
+      count = 0
       do i = 1, size(known)
          if (any(known(:i - 1) == known(i))) cycle
          text = text//', '//mark//trim(known(i))
+         count = count + 1
       end do
-      text = 'the known '//what//' are '//text(3:)
+      if (count > longest_list) then
+         text = 'none of the '//to_text(count)//' known '//what//' is like it; --keys prints them'
+      else
+         text = 'the known '//what//' are '//text(3:)
+      end if
    end function advice
 
 end module ehlwave_namelist_known

@@ -1,6 +1,6 @@
 !> Shear of the oil in a solution: stress, friction, and estimates of heat and stress limit, which are not modelled.
 module ehlwave_shear_result
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_inlet_law, only: inlet_t
@@ -101,7 +101,8 @@ contains
    !> friction under any measurable sliding is above the limit.
    elemental logical function is_impossible(friction)
       real(dp), intent(in) :: friction
-      is_impossible = abs(friction) > most_friction
+      is_impossible = .false.
+      if (.not. ieee_is_nan(friction)) is_impossible = abs(friction) > most_friction
    end function is_impossible
 
    !> Drop a friction coefficient that no oil has.

@@ -21,6 +21,7 @@ program test_namelist
    call read_many_keys()
    call refuse_files()
    call refuse_unknown_names()
+   call shorten_long_lists()
    call keep_first_error()
    call load_again()
    call remove_file()
@@ -141,6 +142,21 @@ contains
       call refuse_unknown('&contact load = 1 /'//nl//'&waves /', &
                           ':2: unknown group &waves: the known groups are &contact, &grid, &output', 'other group')
    end subroutine refuse_unknown_names
+
+   !> A message lists at most 30 names; longer lists are replaced by their number.
+   subroutine shorten_long_lists()
+      type(namelist_t) :: nml
+      type(error_t), allocatable :: error
+      type(value_t), allocatable :: item
+      integer :: i
+
+      call load(nml, '&g roughness = 1 /', error)
+      do i = 1, 40
+         call nml%value_of('g', 'k'//to_text(i), item, error)
+      end do
+      call nml%check_all_used(error)
+      call test%check_error(error, "unknown key 'roughness' in &g: none of the 40 known keys is like it", 'long list')
+   end subroutine shorten_long_lists
 
    !> Load `text`, ask for a set of keys and check the message about the rest; nothing when `needle` is empty.
    subroutine refuse_unknown(text, needle, what)

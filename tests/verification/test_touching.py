@@ -218,7 +218,7 @@ class Ball(FolderTest):
             self.assertLess(found["residual"], 1e-9)
             self.assertEqual(found["touching_meshes"], 2)
             plan = found["counted_work_units"]/found["expected_work_units"]
-            self.assertLess(abs(math.log(plan)), math.log(4), "work over plan")
+            self.assertLess(abs(math.log(plan)), math.log(2), "work over plan")
             report(f"work over plan: {plan:.2f}")
 
     def test_impossible_friction(self):

@@ -49,7 +49,10 @@ def opened(path: str | Path) -> Iterator[h5py.File]:
                 f"{file}: another program holds it open for writing, or its file system refuses "
                 f"locks ({reason(error)}): close it there, or set HDF5_USE_FILE_LOCKING=FALSE"
             ) from error
-        raise ResultsError(f"{file}: cannot be read as HDF5 ({reason(error)})") from error
+        raise ResultsError(
+            f"{file}: cannot be read as HDF5 ({reason(error)}): give a file that ehlwave-sweep, "
+            "ehlwave-case --output or ehlwave surface wrote"
+        ) from error
     except Exception as error:
         # A damaged file makes its readers stumble into whatever there is.
         raise ResultsError(

@@ -23,7 +23,7 @@ from ehlwave.contact.materials import MATERIALS
 BODIES, MOES = "Two bodies", "M, L, D"
 KINDS = {"Reduced": q.REDUCED, "Line": q.LINE, MOES: q.MOES}
 OWN = "own values"
-ISOTHERMAL, WITH_HEAT = "isothermal", "with heat (oil by data sheet)"
+ISOTHERMAL, WITH_HEAT = "isothermal", "with heat"
 
 
 class BodyForm:
@@ -71,7 +71,7 @@ class ContactForm:
         )
         self.bodies = [BodyForm("Body 1, the rough one", "12.7"), BodyForm("Body 2", "")]
         self.loads = [NumberField(one) for one in (q.LOAD, q.LINE_LENGTH, q.STARVED)]
-        self.heat = select("Film and friction", [ISOTHERMAL, WITH_HEAT])
+        self.heat = select("Film and friction", [ISOTHERMAL, WITH_HEAT], q.HEAT_HELP)
         self.fields = {kind: [NumberField(one) for one in each] for kind, each in KINDS.items()}
         self.views = {kind: in_rows(f.view for f in each) for kind, each in self.fields.items()}
         both = in_rows(body.view for body in self.bodies)

@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 import panel as pn
 
-from ehlwave.app import shown
+from ehlwave.app import messages
 from ehlwave.app.element_quantities import TABS
 from ehlwave.app.oil_form import BY_GRADE, OilForm
+from ehlwave.app.quantities import HEAT_HELP
 from ehlwave.app.style import OUTPUT
 from ehlwave.app.task import _DRAWING
 from ehlwave.app.uploads import Upload, read_upload
@@ -35,7 +36,7 @@ EXAMPLES = {
     "Gear": "a spur gear pair of module 3 mm at 150 N m and 1500 rpm",
     "Cam": "a cam with a roller follower at 1000 rpm",
 }
-HEAT = {"isothermal": False, "with heat (oil by data sheet)": True}
+HEAT = {"isothermal": False, "with heat": True}
 
 
 class ElementTab:
@@ -59,7 +60,7 @@ class ElementTab:
         self.oil = OilForm()
         self.oil.kind.value = BY_GRADE
         self.oil.flow.value = EYRING
-        self.heat = select("Film and friction", HEAT)
+        self.heat = select("Film and friction", HEAT, HEAT_HELP)
         self.by = select("Answered", ANSWERS)
         self.file = FileField(sizing_mode="stretch_width", margin=(4, 6))
         self.button = pn.widgets.Button(
@@ -133,11 +134,13 @@ class ElementTab:
             self.saving.visible = True
         except ResultsError as error:
             fields = [field for part in self.fields[self.element.value] for field in part]
-            self.first.object = shown.failure(printable(str(error)), [*fields, *self.oil.shown()])
+            self.first.object = messages.failure(
+                printable(str(error)), [*fields, *self.oil.shown()]
+            )
         except Exception:
             _LOG.exception("an element failed")
             text = "the page failed, and its log says how: please report it"
-            self.first.object = shown.failure(text, [])
+            self.first.object = messages.failure(text, [])
         finally:
             self.button.disabled = False
 
@@ -151,5 +154,5 @@ def _answered(document: ElementDocument, upload: Upload | None) -> tuple[str, st
     table = document.table(**({} if trace is None else {"trace": trace}))
     with _DRAWING:
         drawing = drawing_svg(document.name)
-        words = shown.plain
+        words = messages.plain
         return report_body(table, words), report_html(table, drawing_svg=drawing, words=words)

@@ -7,7 +7,7 @@ from ehlwave.app.widgets import NumberField, given_by, in_rows, section, select,
 from ehlwave.contact.data_sheet import DENSITIES
 from ehlwave.contact.measured_oils import MEASURED
 
-NUMBERS, BY_GRADE, BY_NAME = "Viscosity and coefficient", "ISO grade or data sheet", "Measured oil"
+NUMBERS, BY_GRADE, BY_NAME = "Viscosity and alpha", "Grade or data sheet", "Measured oil"
 
 
 class OilForm:

@@ -7,7 +7,7 @@ from typing import Any
 
 import panel as pn
 
-from ehlwave.app import saving, shown
+from ehlwave.app import messages, saving, shown
 from ehlwave.app.contact_form import ContactForm
 from ehlwave.app.element_tabs import with_elements
 from ehlwave.app.style import OUTPUT, TEMPLATE
@@ -19,8 +19,8 @@ from ehlwave.errors import ResultsError, SurfaceError, printable
 
 _LOG = logging.getLogger("ehlwave.app")
 TITLE = "ehlwave"
-SCROLLED: dict[str, Any] = {"max-height": "max(360px, calc(100vh - 190px))", "overflow-y": "auto"}
-"""Style of the fields: they scroll above the button, which covers nothing."""
+SCROLLED: dict[str, Any] = {"max-height": "var(--fields-height)", "overflow-y": "auto"}
+"""Style of the fields: beside the answer they scroll above the button, which covers nothing."""
 
 
 class Page:
@@ -80,7 +80,7 @@ class Page:
     async def _compute(self, _: Any) -> None:  # noqa: ANN401
         if self.button.disabled:
             return
-        self.button.disabled = True
+        self.button.disabled = self.keep.disabled = True
         self.first.object = "<p class='hint' role='status'>Computing ...</p>"
         try:
             task = task_of(self.contact, self.surface)
@@ -93,7 +93,7 @@ class Page:
             _LOG.exception("a task failed")
             self._fail("the page failed, and its log says how: please report it")
         finally:
-            self.button.disabled = False
+            self.button.disabled = self.keep.disabled = False
 
     async def _worked(self, task: Task) -> Answer:
         size = 0 if task.upload is None else len(task.upload.data)
@@ -131,7 +131,7 @@ class Page:
 
     def _fail(self, message: str) -> None:
         self._answer = None
-        self.first.object = shown.failure(message, self.contact.shown())
+        self.first.object = messages.failure(message, self.contact.shown())
         for pane in (self.warnings, self.figures, self.doubts, self.numbers, self.report):
             pane.object = ""
         self.details.visible = self.saving.visible = False

@@ -115,6 +115,7 @@ CARREAU = (
     Quantity("carreau_modulus_pa", "Carreau modulus G", "7", {"MPa": 6, "Pa": 0}),
     Quantity("carreau_exponent", "Carreau exponent n", "0.35"),
 )
+HEAT_HELP = "With heat: two bodies, and an oil by data sheet or name."
 FLOWS = {"Newtonian": (), "Ree-Eyring": (STRESS,), "Carreau": CARREAU}
 TEMPERATURE = Quantity("temperature_k", "Temperature of the inlet", "60", {"C": None, "K": 0})
 GRADE = (

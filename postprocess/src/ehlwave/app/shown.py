@@ -2,77 +2,24 @@
 
 import base64
 import math
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import fields, is_dataclass
 from html import escape
 from typing import Any
 
-from ehlwave.app.element_quantities import TABS
-from ehlwave.app.quantities import every_quantity
+from ehlwave.app.messages import plain, words
 from ehlwave.app.task import DOTS_PER_INCH, Answer
-from ehlwave.shown import split_words
 from ehlwave.surface.answer import answer_of
 from ehlwave.surface.narrower import narrower
 from ehlwave.surface.predict import Deformed
 from ehlwave.surface.report import report_text
 
 UM = 1e6
-LABELS = {one.key: one.label for one in every_quantity()} | {
-    one.key: one.label
-    for tab in TABS.values()
-    for asked in tab.values()
-    for p in asked
-    for one in p
-}
-"""Labels of the fields of all tabs by their keys."""
+NOT_KNOWN = "Not available"
+"""Row of the results that an answer does not have."""
+
 SHOWN_PER_INCH = 130
 """Pixels of the page."""
-NAMES = {
-    "central_m": "Central film",
-    "minimum_m": "Minimum film",
-    "central_moes": "Central film (Moes)",
-    "minimum_moes": "Minimum film (Moes)",
-    "central_error": "Error of the central film",
-    "minimum_error": "Error of the minimum film",
-    "friction": "Friction coefficient",
-    "rolling_resistance": "Rolling resistance, N (line: N/m)",
-    "rolling_resistance_coefficient": "Rolling resistance over load",
-    "film_factor": "Film with heat over film without",
-    "inlet_factor": "of it by the warm inlet",
-    "minimum_factor": "Minimum film with heat over film without",
-    "isothermal_friction": "Friction coefficient without heat",
-    "rise_mid_film_k": "Temperature rise, mid-film",
-    "rise_surfaces_k": "Temperature rise, surfaces",
-    "rq_before_m": "Rq outside the contact",
-    "rq_after_m": "Rq in the contact",
-    "rz_before_m": "Lowest to highest point, outside",
-    "rz_after_m": "Lowest to highest point, in the contact",
-    "mean_film_m": "Mean film",
-    "mean_rise_m": "Rise of the mean film by the roughness",
-    "minimum_film_m": "Smallest film",
-    "surfaces_touch": "Surfaces touch",
-    "lambda_ratio_before": "Lambda ratio, roughness as made",
-    "lambda_ratio_after": "Lambda ratio, roughness in the contact",
-    "lambda_errors": "Part of the lambda error",
-    "lambda_error": "Lambda error",
-    "amplitude_over_film": "Amplitude over film",
-}
-"""Names of results on the page."""
-
-PLAIN = (
-    (r"give heat data \(heat=\)", "choose 'with heat' under Film and friction"),
-    (r"\s*\(manual: [^)]*\)", ""),
-    (r"\s*\(\w+=\)", ""),
-    (r"^(?:Contact|Body|Oil|Heat)(?:\.\w+)?: ", ""),
-    (r"\b(?:ehlwave\.)?(?:Contact|Body|Oil|Heat)\.(\w+)(?:\(\))?", r"\1"),
-    (r"""\b(\w+)=(["'])(\w+)\2""", r"\1 = \3"),
-    (r"\b(\w+)=(?=[\s,;.:)]|$)", r"\1"),
-    (r"(?<!\w)--(\w)", r"\1"),
-)
-"""Python of messages, and its replacement on the page."""
-
-SYMBOLS = {"rq": "Rq", "rz": "Rz", "lambda": "Lambda"}
 
 
 def decided(answer: Answer) -> str:
@@ -125,10 +72,14 @@ def tables(answer: Answer) -> dict[str, list[tuple[str, str]]]:
     found = {"Contact": contact_rows(answer.contact)}
     film = answer.film
     if film is not None:
-        found["Smooth contact"] = list(rows(film))
+        rolls = answer.contact.conditions.rolls
+        found["Smooth contact"] = list(rows(film, ("friction",) if rolls else ()))
+        if rolls:
+            found["Smooth contact"].append(("Friction coefficient", "0 in pure rolling"))
         if film.heated is not None:
-            # Friction and films stand in the table above, with one error each.
-            hidden = ("friction", "film_error", "minimum_error")
+            # Friction and films stand in the table above, with a single error each.
+            hidden = [one.name for one in fields(film.heated) if "error" in one.name]
+            hidden.append("friction")
             found["With heat"] = list(rows(film.heated, hidden))
     if answer.found is not None:
         found["Surface in the contact"] = list(rows(answer.found.statistics))
@@ -157,18 +108,31 @@ def contact_rows(contact: Any) -> list[tuple[str, str]]:  # noqa: ANN401
 def compared(first: Answer, second: Answer) -> str:
     """Return the results of two variants side by side, with the changes."""
     left, right = tables(first), tables(second)
+    heads = ("", "kept variant", "new variant", "change")
+    head = f"<tr>{''.join(f'<td><b>{one}</b></td>' for one in heads)}</tr>"
     parts = []
     for title in dict.fromkeys([*left, *right]):
         a, b = dict(left.get(title, [])), dict(right.get(title, []))
         lines = "".join(
             f"<tr><th scope='row'>{escape(name)}</th><td>{escape(a.get(name, '-'))}</td>"
-            f"<td>{escape(b.get(name, '-'))}</td></tr>"
+            f"<td>{escape(b.get(name, '-'))}</td>"
+            f"<td>{change(a.get(name, ''), b.get(name, ''))}</td></tr>"
             for name in dict.fromkeys([*a, *b])
-            if name not in ("Source", "Not known")
+            if name not in ("Source", NOT_KNOWN)
         )
-        head = "<tr><th></th><td><b>kept variant</b></td><td><b>this one</b></td></tr>"
         parts.append(f"<table><caption>{escape(title)}</caption>{head}{lines}</table>")
     return "".join(parts)
+
+
+def change(before: str, after: str) -> str:
+    """Return the relative change from one value of a table to another, '' where it has none."""
+    if before.endswith("%") and "within" not in before:
+        return ""  # an error
+    try:
+        old, new = float(before.split()[0]), float(after.split()[0])
+    except (IndexError, ValueError):
+        return ""
+    return f"{100 * (new / old - 1):+.3g} %" if old and new != old else ""
 
 
 def rows(part: Any, hidden: Iterable[str] = ()) -> Iterable[tuple[str, str]]:  # noqa: ANN401
@@ -180,22 +144,22 @@ def rows(part: Any, hidden: Iterable[str] = ()) -> Iterable[tuple[str, str]]:  #
     unknown = []
     for name, value in values.items():
         if isinstance(value, Mapping):
-            yield from ((f"{_words(name)}: {key}", _share(v)) for key, v in value.items())
+            yield from ((f"{words(name)}: {key}", _share(v)) for key, v in value.items())
         elif value is None or (isinstance(value, float) and math.isnan(value)):
-            unknown += [_words(name)] if name not in joined else []
+            unknown += [words(name)] if name not in joined else []
         elif not is_dataclass(value) and name not in joined:
             error = values.get(errors[name])
             within = f" within {_share(error)}" if isinstance(error, float) else ""
-            yield _words(name), _value(name, value) + within
-    unknown = [name for name in unknown if name != _words("heated")]
+            yield words(name), _value(name, value) + within
+    unknown = [name for name in unknown if name != words("heated")]
     if unknown:
-        yield "Not known", ", ".join(unknown)
+        yield NOT_KNOWN, ", ".join(unknown)
 
 
 def _error_name(name: str) -> str:
-    """Return the name of the error that stands beside a quantity; films have a row for it."""
+    """Return the name of the error that stands beside a quantity."""
     stem = name
-    for end in ("_coefficient", "_ratio_after"):
+    for end in ("_coefficient", "_ratio_after", "_moes", "_m"):
         stem = stem.removesuffix(end)
     return f"{stem}_error"
 
@@ -210,14 +174,14 @@ def table(title: str, lines: Iterable[tuple[str, str]]) -> str:
 
 
 def doubts(found: Deformed) -> str:
-    """Return the parts not judged."""
+    """Return the waves that the law does not cover: whether they are extrapolated or kept."""
     lines = [
-        f"{group.components} component(s) {group.reason}: {100 * group.share_before:.3g} % of the "
-        f"mean square before, {100 * group.share_after:.3g} % after"
+        f"{group.components:,} waves {group.reason}: {100 * group.share_before:.3g} % of the mean "
+        f"square of the roughness outside the contact, {100 * group.share_after:.3g} % inside"
         for group in found.unjudged
     ]
-    judged = "".join(f"<li>{escape(line)}</li>" for line in lines) or "<li>Nothing.</li>"
-    return f"<h3>Not judged</h3><ul>{judged}</ul>"
+    listed = "".join(f"<li>{escape(line)}</li>" for line in lines)
+    return f"<h3>Waves outside the law</h3><ul>{listed or '<li>None.</li>'}</ul>"
 
 
 def warnings_of(answer: Answer) -> str:
@@ -252,15 +216,6 @@ def _least(found: Deformed) -> str:
     return "the surfaces touch" if least is None else f"smallest {least * UM:.4g} um"
 
 
-def _words(name: str) -> str:
-    if name in NAMES:
-        return NAMES[name]
-    ends = ("_m", "_pa", "_k", "_n")
-    plain_name = next((name[: -len(end)] for end in ends if name.endswith(end)), name)
-    first, *rest = plain_name.split("_")
-    return " ".join([SYMBOLS.get(first, first.capitalize()), *rest])
-
-
 def _value(name: str, value: Any) -> str:  # noqa: ANN401
     if isinstance(value, bool):
         return "yes" if value else "no"
@@ -279,29 +234,6 @@ def _value(name: str, value: Any) -> str:  # noqa: ANN401
 
 def _share(share: float) -> str:
     return f"{100 * share:.2g} %" if share < 1 else "above 100 %"
-
-
-def plain(message: str, labels: Mapping[str, str] | None = None) -> str:
-    """Return a message with the labels of the page in place of the names of Python."""
-    known = LABELS | dict(labels or {})
-    for pattern, text in PLAIN:
-        message = re.sub(pattern, text, message)
-
-    def label(match: re.Match[str]) -> str:
-        word = match[0]
-        return known.get(word) or NAMES.get(word) or _words(word).lower()
-
-    message = re.sub(r"\b[a-z][a-z0-9]*(?:_[a-z0-9]+)+\b(?!\.\w)", label, message)
-    return re.sub(r"\b(?:[A-Z][a-z]+){2,}\b", lambda m: split_words(m[0]), message)
-
-
-def failure(message: str, shown: Iterable[Any]) -> str:
-    """Return an error in the labels of the page, and the field that it names."""
-    labels = {one.key: one.label for one in shown}
-    named = next((labels[word] for word in re.findall(r"\w+", message) if word in labels), "")
-    where = f"<p>Field: {escape(named)}</p>" if named else ""
-    text = plain(message, labels)
-    return f"<div class='error' role='alert'><b>Error</b> {escape(text)}{where}</div>"
 
 
 def old(text: str) -> str:

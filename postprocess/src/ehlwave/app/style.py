@@ -15,7 +15,8 @@ TEMPLATE = """
 {% endblock %}
 {% block postamble %}
 <style>
-:root { font-family: Helvetica, Arial, sans-serif; font-size: 15px; }
+:root { font-family: Helvetica, Arial, sans-serif; font-size: 15px;
+  --fields-height: max(360px, calc(100vh - 190px)); }
 body { background: #f3f6f8; color: #1b2a33; }
 header { background: #14405c; color: white; padding: 10px 20px; }
 header h1 { font-size: 1.25rem; margin: 0; display: inline; }
@@ -25,13 +26,14 @@ main { display: grid; grid-template-columns: minmax(400px, 440px) minmax(0, 1fr)
 main > section { min-width: 0; background: white; border: 1px solid #d7e0e6; border-radius: 6px;
   padding: 10px 14px; }
 footer { padding: 4px 20px 20px; color: #51626c; font-size: 0.85rem; text-align: center; }
-@media (max-width: 900px) { main { grid-template-columns: minmax(0, 1fr); padding: 8px; } }
+@media (max-width: 900px) { main { grid-template-columns: minmax(0, 1fr); padding: 8px; }
+  :root { --fields-height: none; } }
 @media (max-width: 480px) { main { padding: 4px; } main > section { padding: 6px 2px; } }
 </style>
 {% endblock %}
 {% block contents %}
 <header><h1>{{ app_title }}</h1>
-<span>How much of a surface's roughness is left in a lubricated contact</span></header>
+<span>Film, friction and roughness in lubricated contacts</span></header>
 <main>
 <section aria-label="Inputs">{{ embed(roots.inputs) }}</section>
 <section aria-label="Answer">{{ embed(roots.answers) }}</section>

@@ -112,10 +112,15 @@ class FileField(pn.widgets.FileDropper):
         super()._process_event(event)
 
 
-def select(label: str, options: Any) -> pn.widgets.Select:  # noqa: ANN401 - list or mapping
-    """Return a choice."""
+def select(
+    label: str,
+    options: Any,  # noqa: ANN401 - list or mapping
+    hint: str | None = None,
+) -> pn.widgets.Select:
+    """Return a choice; a hint opens at a question mark beside the label."""
     return pn.widgets.Select(
         name=label,
+        description=hint,
         options=options,
         sizing_mode="stretch_width",
         stylesheets=_TIGHT,

@@ -43,7 +43,7 @@ def add_ratio(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         f"--{RATIO.replace('_', '-')}",
         metavar="SRR",
-        help="(u1 - u2)/mean speed, surface 1 the rough one: a word of --conditions more",
+        help="(u1 - u2)/mean speed; surface 1 is the rough one. Replaces it in --conditions",
     )
 
 

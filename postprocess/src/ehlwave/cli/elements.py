@@ -7,12 +7,16 @@ from ehlwave.elements.document import read_element
 from ehlwave.elements.drawing import drawing_svg
 from ehlwave.elements.report import report_html, report_json, report_text
 from ehlwave.elements.sweep_table import write_sweep
+from ehlwave.errors import SurfaceError
 
 
 def run_element(options: argparse.Namespace) -> None:
     """Answer for the element of a file; print it, and write the report."""
     document = read_element(options.file, options.kind)
-    table = document.table()
+    try:
+        table = document.table()
+    except SurfaceError as error:
+        raise SurfaceError(f"{options.file}: {error}") from error
     print(report_json(table) if options.json else report_text(table))
     if options.output is None:
         return

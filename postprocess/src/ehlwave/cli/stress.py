@@ -47,8 +47,8 @@ def _of_case(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: A
     """Judge a file of ``ehlwave-case``; return the written files."""
     if not _is_hdf5(options.file):
         raise StressError(
-            f"{options.file}: not a file of ehlwave-case --output; of a measured surface say what "
-            "contact it is in: --conditions"
+            f"{options.file}: not a file of ehlwave-case --output; for a measured surface give "
+            "its contact by --conditions"
         )
     for name, default in OF_SURFACES.items():
         if getattr(options, name) != default:

@@ -143,9 +143,11 @@ def _refuse_contradiction(values: Mapping[str, float], found: Conditions, place:
 
 def unknown_key(key: str, known: Sequence[str]) -> str:
     """Return the message about a key that does not apply to a contact."""
-    what = f"unknown key {key}{did_you_mean(key, known)}"
+    what, near = f"unknown key {key}", did_you_mean(key, known)
     if key in load("ehlwave.inputs.keys").CaseKeys.__annotations__:
         what = f"{key} is a key of ehlwave.Case and input files, which is not taken here"
+    elif near:
+        return f"{what}{near}"
     return f"{what}; known are {', '.join(known)}"
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -12,6 +12,7 @@ from ehlwave.elements.table import ERRORS
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
 
 
 class Curve(NamedTuple):
@@ -43,20 +44,25 @@ PANELS: dict[str, tuple[Curve, ...]] = {
         Curve("hertz_pressure_pa", 1e-9, "Hertz pressure"),
         Curve("largest_shear_pa", 1e-9, "largest shear stress", "--"),
     ),
-    "factor of Dang Van": (Curve("dang_van", 1, "largest"),),
+    "Dang Van's factor": (Curve("dang_van", 1, "largest"),),
 }
 """Panels by their labels; one without known numbers is left out."""
+
+LEGEND: dict[str, Any] = {"frameon": False, "fontsize": 7.5, "columnspacing": 1.2}
+WIDTH = 7.2
+"""Inches; legends are above their panels and cover nothing."""
 
 AXES = {
     "angle_deg": ("angle [degrees]", 1.0),
     "distance_m": ("distance along the line of action [mm]", 1e3),
     "speed_m_per_s": ("mean speed [m/s]", 1.0),
 }
-COLOURS = ("C0", "C1")
+MARKERS = ("o", "s")
+"""Marks of the rings, apart from their colours."""
 
 
 def element_figure(table: xr.Dataset) -> Figure:
-    """Draw the table of an element; bands are relative errors.
+    """Draw the table of an element; bands are errors of the solid curves.
 
     Parameters
     ----------
@@ -76,10 +82,11 @@ def element_figure(table: xr.Dataset) -> Figure:
     ['film [um]', 'friction coefficient']
     """
     from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
 
     shown = {label: curves for label, curves in PANELS.items() if _is_known(table, curves)}
     rows = (len(shown) + 1) // 2
-    figure = Figure(figsize=(9.2, 2.7 * rows), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 3.1 * rows), layout="constrained")
     grid = np.atleast_1d(figure.subplots(rows, 2, sharex=True)).ravel()
     coordinate = next(name for name in AXES if name in table.dims)
     name, factor = AXES[coordinate]
@@ -87,7 +94,12 @@ def element_figure(table: xr.Dataset) -> Figure:
         _draw(axes, table, coordinate, factor, curves)
         axes.set(ylabel=label)
         axes.set_ylim(bottom=0)
-        axes.legend(frameon=False, fontsize=7)
+        place = (0.5, 1.08 if coordinate == "distance_m" else 1.0)  # above the letters
+        lines = {str(line.get_label()): line for line in axes.get_lines()}
+        if "ring" in table.dims:  # line styles; the key of the figure has the rings
+            lines = {k: Line2D([], [], color="0.3", ls=v.get_linestyle()) for k, v in lines.items()}
+        shape = {"loc": "lower center", "bbox_to_anchor": place, "ncols": 2}
+        axes.legend(list(lines.values()), list(lines), **shape, **LEGEND)
     for axes in grid[len(shown) :]:
         axes.set_axis_off()
     for axes in grid[:2] if rows == 1 else grid[-2:]:
@@ -96,6 +108,9 @@ def element_figure(table: xr.Dataset) -> Figure:
     if len(shown) % 2 and rows > 1:
         grid[-3].set_xlabel(name)
         grid[-3].tick_params(labelbottom=True)
+    if "ring" in table.dims:
+        names = [f"{ring} ring" for ring in table["ring"].values]
+        figure.legend(_marks(names), names, loc="outside upper center", ncols=2, **LEGEND)
     if coordinate == "distance_m" and "named_points_mm" in table.attrs:
         _name_points(grid[: len(shown)], str(table.attrs["named_points_mm"]))
     return figure
@@ -110,21 +125,34 @@ def _is_known(table: xr.Dataset, curves: tuple[Curve, ...]) -> bool:
 def _draw(
     axes: Axes, table: xr.Dataset, coordinate: str, factor: float, curves: tuple[Curve, ...]
 ) -> None:
-    """Draw the curves of a panel, each ring in its colour."""
+    """Draw the curves of a panel, each ring in its colour and with its mark."""
+    from ehlwave.results.colour_key import COLOURS
+
     x = table[coordinate].values * factor
     rings = table["ring"].values.tolist() if "ring" in table.dims else [None]
-    for ring, colour in zip(rings, COLOURS, strict=False):
+    for ring, colour, marker in zip(rings, COLOURS, MARKERS, strict=False):
         part = table if ring is None else table.sel(ring=ring)
         for curve in curves:
             if curve.name not in part or not np.isfinite(part[curve.name].values).any():
                 continue
             y = part[curve.name].values * curve.factor
-            words = curve.label if ring is None else f"{ring}: {curve.label}"
-            axes.plot(x, y, curve.style, color=colour, marker=".", ms=4, lw=1.2, label=words)
+            axes.plot(
+                x, y, curve.style, color=colour, marker=marker, ms=2.5, lw=1.2, label=curve.label
+            )
             error = part.get(ERRORS.get(curve.name, ""))
-            if error is not None and curve.style != "--":
+            if error is not None and curve.style == "-":
                 low = y * np.maximum(1 - error.values, 0)
                 axes.fill_between(x, low, y * (1 + error.values), color=colour, alpha=0.15, lw=0)
+
+
+def _marks(names: list[str]) -> list[Line2D]:
+    """Return the mark of each ring, for the key of the figure."""
+    from matplotlib.lines import Line2D
+
+    from ehlwave.results.colour_key import COLOURS
+
+    pairs = zip(names, COLOURS, MARKERS, strict=False)
+    return [Line2D([], [], color=colour, marker=marker, ls="") for _, colour, marker in pairs]
 
 
 def _name_points(grid: np.ndarray, text: str) -> None:

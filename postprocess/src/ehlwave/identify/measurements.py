@@ -136,7 +136,8 @@ def _known_columns(table: pd.DataFrame, place: str) -> Mapping[str, NDArray[np.f
         elif heading not in words:
             raise ArgumentError(
                 f"{place}: column {heading} is no key and no measured result"
-                f"{did_you_mean(heading, words)}"
+                f"{did_you_mean(heading, words)}; results are central_film_um, minimum_film_um, "
+                "friction_coefficient and harmonic_ratio"
             )
         if name in known:
             raise ArgumentError(f"{place}: two columns of {name}: leave one")

@@ -15,7 +15,7 @@ from ehlwave.errors import RangeError
 from ehlwave.laws.atlas.atlas import Atlas, atlas_for, chart_of
 from ehlwave.laws.atlas.chart import Chart
 from ehlwave.laws.atlas.ranges import WAVE_RANGE
-from ehlwave.laws.transfer import Waves
+from ehlwave.laws.transfer import EXTRAPOLATED, Waves
 
 Complex = NDArray[np.complex128]
 
@@ -89,7 +89,7 @@ class AtlasTransfer:
     def outside_reason(self) -> str:
         """Why components are not covered."""
         low, high = WAVE_RANGE
-        return f"of wavelengths outside {low:g} to {high:g} a: continued, counted in the error"
+        return f"of lengths outside {low:g} to {high:g} a{EXTRAPOLATED}"
 
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
         """Return the transfer for waves per metre along x (any sign) and y; 0 for the mean."""

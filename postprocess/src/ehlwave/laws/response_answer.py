@@ -6,7 +6,7 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.errors import RangeError
 from ehlwave.laws.answers import Response
 from ehlwave.laws.standing_waves import answer_of
-from ehlwave.laws.transfer import Transfer, Waves
+from ehlwave.laws.transfer import EXTRAPOLATED, Transfer, Waves
 
 
 def response_of(
@@ -31,10 +31,10 @@ def response_of(
     a_m = conditions.semi_axis_a_m
     qx, qy = one_wave(wavelength_over_a * (a_m if np.isfinite(a_m) else 1.0), angle_deg)
     if not bool(transfer.is_covered(qx, qy)[0]):
-        reason = transfer.outside_reason.partition(": continued")[0]
+        reason = transfer.outside_reason.partition(EXTRAPOLATED)[0]
         raise RangeError(
-            f"wavelength_over_a = {wavelength_over_a:.5g} at angle_deg = {angle_deg:.5g} lies "
-            f"outside the law: {reason}"
+            f"wavelength_over_a = {wavelength_over_a:.5g} at angle_deg = {angle_deg:.5g}: the law "
+            f"leaves out waves {reason}"
         )
     error = transfer.error(qx, qy)
     return Response(

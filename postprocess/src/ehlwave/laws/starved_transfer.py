@@ -18,7 +18,7 @@ from ehlwave.contact.starvation import (
     starved_ratio,
 )
 from ehlwave.errors import RangeError
-from ehlwave.laws.transfer import Waves
+from ehlwave.laws.transfer import EXTRAPOLATED, Waves
 
 
 def check_starved(conditions: Conditions) -> None:
@@ -71,10 +71,7 @@ class StarvedTransfer:
     @property
     def outside_reason(self) -> str:
         """Why components are not covered."""
-        return (
-            f"other than the law of starved contacts was fitted to ({WAVES_TEXT}): continued, "
-            "counted in the error"
-        )
+        return f"other than the law of starved contacts was fitted to ({WAVES_TEXT}){EXTRAPOLATED}"
 
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[Any]:
         """Return Ad/Ai for waves per metre along x and y; 0 for the mean."""

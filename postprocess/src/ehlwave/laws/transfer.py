@@ -26,6 +26,9 @@ from ehlwave.errors import SurfaceError
 
 Waves = NDArray[np.float64]
 
+EXTRAPOLATED = ", extrapolated and included in the error"
+"""End of the reason of waves that a law does not cover and nevertheless answers."""
+
 
 class Transfer(Protocol):
     """Anything that judges harmonic components."""

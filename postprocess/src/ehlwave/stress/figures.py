@@ -64,6 +64,8 @@ def section_figure(
     is_line = stress["y"].size == 1
     line = field.isel(y=row)
     deep = int(np.argmax(line.max("x").values))
+    plane = field.isel(z=deep)
+    most = float(max(line.max(), plane.max()))  # both maps have the colours of one bar
     with rc_context(STYLE):
         size, ratios = ((LINE_COLUMN, 4.4), (1, 1.5)) if is_line else ((COLUMN, 4.6), (1, 1))
         figure = Figure(figsize=size, layout="constrained")
@@ -72,9 +74,9 @@ def section_figure(
         top = axes[0, 0]
         top.plot(x, pressure_pa.transpose("x", "y").values[:, row] * 1e-9, color=COLOURS[0])
         top.set(ylabel="pressure [GPa]", xlim=(x[0], x[-1]), ylim=(0, None))
-        top.tick_params(labelbottom=False)
+        top.set(xlabel=f"$x$ [{unit}]", title="pressure, $y=0$")
         z, name = stress["z"].values * scale, "von Mises [MPa]"
-        _colours(axes[1, 0], x, z, line.values, name)
+        _colours(axes[1, 0], x, z, line.values, name if is_line else "", most=most)
         axes[1, 0].invert_yaxis()
         axes[1, 0].set(xlabel=f"$x$ [{unit}]", ylabel=f"depth $z$ [{unit}]", aspect=1, anchor="N")
         axes[1, 0].set_title("section $y=0$")
@@ -83,7 +85,7 @@ def section_figure(
             _pressure_map(axes[0, 1], x, y, pressure_pa)
             depth = float(stress["z"][deep]) * scale
             axes[1, 1].set_title(f"depth $z={depth:.3g}$ {unit}")
-            _colours(axes[1, 1], x, y, field.isel(z=deep).transpose("y", "x").values, name)
+            _colours(axes[1, 1], x, y, plane.transpose("y", "x").values, name, most=most)
             sides = float(np.ptp(x)), float(np.ptp(y))
             rolling_arrow(axes[0, 1])
             for panel in axes[:, 1]:
@@ -136,8 +138,17 @@ def depth_figure(result: RoughStress) -> Figure:
         plane.set(
             xlabel=r"hydrostatic stress $\sigma_H$ [MPa]", ylabel=r"shear stress $\tau$ [MPa]"
         )
-        plane.set_title(f"worst points, $N$ = {result.cycles:.3g}")
+        plane.set_title(f"worst points, {cycles_text(result.cycles)}")
     return figure
+
+
+def cycles_text(cycles: float) -> str:
+    """Return a number of cycles as figures show it, such as N = 10^8."""
+    factor, power = f"{cycles:.3g}".partition("e")[::2] if cycles >= 1e5 else (f"{cycles:.3g}", "")
+    if not power:
+        return f"$N={factor}$"
+    front = "" if float(factor) == 1 else rf"{factor}\cdot"
+    return f"$N={front}10^{{{int(power)}}}$"
 
 
 def ripple_figure(result: RoughStress) -> Figure:
@@ -185,6 +196,7 @@ def _limit_line(axes: Axes, fatigue_pa: float) -> None:
 def _pressure_map(axes: Axes, x: Floats, y: Floats, pressure_pa: xr.DataArray) -> None:
     values = pressure_pa.transpose("y", "x").values * 1e-9
     _colours(axes, x, y, values, "pressure [GPa]", "magma")
+    axes.set_title("pressure")
 
 
 def _colours(
@@ -194,6 +206,10 @@ def _colours(
     values: Floats,
     name: str,
     colours: str = "viridis",
+    most: float | None = None,
 ) -> None:
-    mesh = axes.pcolormesh(x, y, values, cmap=colours, vmin=0, shading="gouraud", rasterized=True)
-    bar_beside(axes, mesh, name)
+    """Draw a map, with a colour bar where the quantity is named."""
+    style = {"cmap": colours, "vmin": 0, "vmax": most, "shading": "gouraud", "rasterized": True}
+    mesh = axes.pcolormesh(x, y, values, **style)
+    if name:
+        bar_beside(axes, mesh, name)

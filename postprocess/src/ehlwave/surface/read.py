@@ -308,7 +308,5 @@ def _first(said: str | None, own: str | None) -> str | None:
 
 def _unit(file: Path, unit: str | None, what: str, option: str) -> float:
     if unit is None:
-        raise SurfaceError(
-            f"{file}: does not say in which unit its {what} are: set {option} (m, mm, um, nm)"
-        )
+        raise SurfaceError(f"{file}: states no unit of its {what}: set {option} (m, mm, um, nm)")
     return metres(unit, str(file))

@@ -101,7 +101,7 @@ def _by_laws(given: Mapping[str, Any], ratios: Sequence[float]) -> Traction:
 def _check_keys(given: Mapping[str, Any]) -> None:
     if "load_parameter_m" in given:
         raise SurfaceError(
-            "load_parameter_m: a film in um wants dimensional &conditions: give radius_x_m, "
+            "load_parameter_m: a film in um needs dimensional &conditions: give radius_x_m, "
             "reduced_modulus_pa, load_n or load_n_per_m, mean_speed_m_per_s and viscosity_pa_s"
         )
     for key in given:

@@ -44,15 +44,21 @@ def traction_figure(found: Traction) -> "Figure":
             colour = COLOURS[1 if name in ("thermal", "limited_thermal") else 0]
             style = "--" if "limited" in name else "-"
             left.plot(table[RATIO], table[name], style, marker=".", color=colour, label=label)
+    if "friction_error" in table:
+        value, error = table[found.curve], table["friction_error"].astype(float)
+        colour = COLOURS[1 if has_heat else 0]
+        ends = value * np.maximum(1 - error, 0), value * (1 + error)
+        left.fill_between(table[RATIO], *ends, color=colour, alpha=0.15, lw=0, label="error")
     top = 1.3 * float(np.nanmax(table[[name for name in CURVES if name in table]].to_numpy()))
     if found.limit is not None and found.limit < top:
         left.axhline(found.limit, color="black", lw=0.7, ls=":", label="limit of the stress")
     left.set(ylabel="friction coefficient", ylim=(0, top))
     left.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(0, 0.72))
     if has_heat:
-        for name in (name for name in RISES if name in table):
-            label = RISES[name]
-            panels[1].plot(table[RATIO], table[name], marker=".", label=label)
+        shown = (name for name in RISES if name in table)
+        for name, colour, mark in zip(shown, COLOURS[2:], "os^v", strict=False):
+            style = {"color": colour, "marker": mark, "ms": 3, "label": RISES[name]}
+            panels[1].plot(table[RATIO], table[name], **style)
         panels[1].set(ylabel="largest rise of the temperature [K]", ylim=(0, None))
         panels[1].legend(frameon=False, fontsize=8)
     for axes in panels:

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.choices import WINDOWS
-from ehlwave.cli.arguments.shared import add_laws, add_overwrite, add_reading, later
+from ehlwave.cli.arguments.shared import CONTACT, add_laws, add_overwrite, add_reading, later
 from ehlwave.cli.command_line import add_ratio
 
 DESCRIPTION = """\
@@ -110,7 +110,7 @@ def add_deform_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does 
         type=int,
         default=1,
         metavar="N",
-        help="so many copies along the rolling direction",
+        help="number of copies along the rolling direction",
     )
     surface.add_argument(
         "--output", type=Path, required=True, metavar="FILE.h5", help="file to write"
@@ -128,7 +128,7 @@ def _add_prediction(parser: argparse.ArgumentParser) -> None:
         help="trace or map: CSV, NumPy, HDF5, SDF, X3P, ...",
     )
     parser.add_argument(
-        "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help="see below"
+        "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help=CONTACT
     )
     add_ratio(parser)
     add_reading(parser)

@@ -38,7 +38,9 @@ def add_identify_command(commands: Any) -> None:  # noqa: ANN401 - argparse does
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("measurements", type=Path, metavar="MEASUREMENTS", help="see below")
+    parser.add_argument(
+        "measurements", type=Path, metavar="MEASUREMENTS", help="CSV table; see below"
+    )
     parser.add_argument(
         "--conditions",
         dest="case",
@@ -47,7 +49,9 @@ def add_identify_command(commands: Any) -> None:  # noqa: ANN401 - argparse does
         metavar="CASE",
         help="input file of ehlwave-case: the contact, and values from which the fit begins",
     )
-    parser.add_argument("--fit", nargs="+", required=True, metavar="PARAMETER", help="see below")
+    parser.add_argument(
+        "--fit", nargs="+", required=True, metavar="PARAMETER", help="parameters to fit; see below"
+    )
     parser.add_argument(
         "--error",
         type=float,

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from ehlwave.cli.arguments.shared import add_overwrite, later
+from ehlwave.cli.arguments.shared import CONTACT, add_overwrite, later
 
 DESCRIPTION = """\
 Film over overrollings and time of a starved track to which no oil comes back, as in a bearing with
@@ -38,13 +38,17 @@ def add_replenish_command(commands: Any) -> None:  # noqa: ANN401 - argparse doe
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument(
-        "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help="see below"
+        "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help=CONTACT
     )
     parser.add_argument(
         "--track-length", type=float, required=True, metavar="M", help="of both tracks together, m"
     )
     parser.add_argument(
-        "--overrollings", type=float, default=1e6, metavar="N", help="how many; 1e6"
+        "--overrollings",
+        type=float,
+        default=1e6,
+        metavar="N",
+        help="number of overrollings (default: 1e6)",
     )
     parser.add_argument("--output", type=Path, metavar="DIR", help="write table and figure there")
     add_overwrite(parser)

@@ -26,7 +26,9 @@ def add_results_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does
 
     def command(name: str, text: str, **options: Any) -> argparse.ArgumentParser:  # noqa: ANN401
         added = commands.add_parser(name, help=text, **({"description": text} | options))
-        added.add_argument("results", nargs="+", type=Path, metavar="RESULTS", help="HDF5 file")
+        added.add_argument(
+            "results", nargs="+", type=Path, metavar="RESULTS", help="results of ehlwave-sweep"
+        )
         added.set_defaults(run=_runs(name))
         return added
 
@@ -52,9 +54,11 @@ def add_results_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does
     refit = command("refit", "fit the coefficients of the amplitude formula")
     _add_common(refit)
     refit.add_argument("--json", action="store_true", help="print JSON instead of a table")
-    refit.add_argument("--replicates", type=_count, default=REPLICATES, help="bootstrap samples")
     refit.add_argument(
-        "--seed", type=_count, default=SEED, help="of the bootstrap's random numbers"
+        "--replicates", type=_count, default=REPLICATES, help="number of bootstrap samples"
+    )
+    refit.add_argument(
+        "--seed", type=_count, default=SEED, help="seed of the bootstrap's random numbers"
     )
     command("table", "count cases by status and list failed cases")
     export = command(

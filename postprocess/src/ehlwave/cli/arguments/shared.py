@@ -14,6 +14,9 @@ BY = (
 )
 """Help of the option that names a law."""
 
+CONTACT = "the contact: an input file, KEY=VALUE, or both; see below"
+"""Help of the option that gives a contact."""
+
 Run = Callable[[argparse.Namespace], None]
 
 
@@ -29,7 +32,11 @@ def later(module: str, name: str) -> Run:
 def add_output(parser: argparse.ArgumentParser) -> None:
     """Add the folder that files are written to."""
     parser.add_argument(
-        "--output", type=Path, default=Path(), metavar="DIR", help="default: this directory"
+        "--output",
+        type=Path,
+        default=Path(),
+        metavar="DIR",
+        help="folder of the files (default: this one)",
     )
     add_overwrite(parser)
 
@@ -42,17 +49,20 @@ def add_overwrite(parser: argparse.ArgumentParser) -> None:
 
 def add_reading(parser: argparse.ArgumentParser) -> None:
     """Add the options for data that a surface file lacks."""
-    text = "of positions and --step, where the file states none: m, mm, um, nm"
+    text = "unit of positions and of --step, where the file states none: m, mm, um, nm"
     parser.add_argument("--length-unit", metavar="UNIT", help=text)
-    text = "of heights, where the file states none: m, mm, um, nm"
+    text = "unit of heights, where the file states none: m, mm, um, nm"
     parser.add_argument("--height-unit", metavar="UNIT", help=text)
-    text = "channel, or heading of the column, of heights, where the file has several"
+    text = "channel of heights, or heading of their column, where the file has several"
     parser.add_argument("--channel", metavar="NAME", help=text)
     parser.add_argument(
         "--step", type=float, metavar="LENGTH", help="sampling step, for files without positions"
     )
     parser.add_argument(
-        "--step-across", type=float, metavar="LENGTH", help="of a map's rows; default: --step"
+        "--step-across",
+        type=float,
+        metavar="LENGTH",
+        help="step between the rows of a map (default: --step)",
     )
     parser.add_argument(
         "--decimal",
@@ -69,8 +79,8 @@ def add_reading(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--fill-missing",
         action="store_true",
-        help="give missing heights, and those far outside all others, their neighbour's: at most a "
-        "tenth of them",
+        help="replace missing heights, and heights far outside all others, by their neighbours: at "
+        "most a tenth of them",
     )
     parser.add_argument(
         "--form",

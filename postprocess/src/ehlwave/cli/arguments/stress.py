@@ -59,14 +59,18 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
         "--friction", type=float, metavar="MU", help="traction over pressure; default: the atlas'"
     )
     parser.add_argument(
-        "--cycles", type=float, default=1e8, metavar="N", help="of Dang Van's criterion; 1e8"
+        "--cycles",
+        type=float,
+        default=1e8,
+        metavar="N",
+        help="load cycles of Dang Van's criterion (default: 1e8)",
     )
     parser.add_argument(
         "--poisson-ratio",
         type=float,
         default=POISSON_RATIO,
         metavar="NU",
-        help="of both bodies; 0.3",
+        help="Poisson's ratio of both bodies (default: 0.3)",
     )
     parser.add_argument(
         "--depths",
@@ -76,7 +80,10 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
         help="depths, um (of files without lengths: in units of a)",
     )
     parser.add_argument(
-        "--body", type=int, choices=(1, 2), help="of a case: whose stress is drawn and written; 1"
+        "--body",
+        type=int,
+        choices=(1, 2),
+        help="body whose stress is drawn and written, of a case (default: 1)",
     )
     add_laws(parser)
     add_reading(parser)

@@ -35,7 +35,7 @@ def add_traction_command(commands: Any) -> None:  # noqa: ANN401 - argparse does
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("case", type=Path, metavar="CASE", help="see below")
+    parser.add_argument("case", type=Path, metavar="CASE", help="input file; see below")
     parser.add_argument(
         "--ratios",
         nargs="+",
