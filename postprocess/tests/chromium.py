@@ -4,7 +4,6 @@ Needs Tornado, which Panel brings. Every wait ends.
 """
 
 import asyncio
-import base64
 import contextlib
 import json
 import os
@@ -259,11 +258,6 @@ class Tab:
     async def downloads(self, folder: Path) -> None:
         """Let files be saved there."""
         await self.send("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
-
-    async def picture(self, path: Path, whole: bool = False) -> None:
-        """Save a picture of the window, or of the whole page."""
-        found = await self.send("Page.captureScreenshot", captureBeyondViewport=whole)
-        path.write_bytes(base64.b64decode(found["data"]))
 
     def _field(self, label: str, number: int) -> str:
         # Labels and their fields share a shadow root; hidden elements have no size.

@@ -135,7 +135,6 @@ def test_a_trace_equals_the_command_line_to_all_digits(
         await entered(tab, example)
         await computed(tab)
         page = await tab.text()
-        await tab.picture(tmp_path / f"trace{number}.png", whole=True)
         await tab.downloads(saved)
         for label, name in (("Save JSON", "ehlwave.json"), ("Save script", "ehlwave_repeat.py")):
             await tab.click(label)
@@ -197,10 +196,8 @@ def test_bad_and_large_files_get_the_message_of_the_command_line(
             await tab.click("Compute")
             await until(lambda name=path.name: tab.has_text(f"{name}: "), "the error")
             pages.append(await tab.text())
-        await tab.picture(tmp_path / "bad.png")
         await tab.give_file(large)
         await until(lambda: tab.has_text("File is too large"), "the refusal")
-        await tab.picture(tmp_path / "large.png")
         pages.append(await tab.text())
 
     in_browser(use)
@@ -215,9 +212,7 @@ def test_bad_and_large_files_get_the_message_of_the_command_line(
     assert "/tmp" not in "".join(pages)
 
 
-def test_wrong_numbers_name_their_field_and_keep_the_rest(
-    address: str, in_browser: Browse, tmp_path: Path
-) -> None:
+def test_wrong_numbers_name_their_field_and_keep_the_rest(address: str, in_browser: Browse) -> None:
     async def use(browser: Chromium, _: list[str]) -> None:
         tab = await browser.tab()
         await tab.size(1400, 900)
@@ -228,12 +223,10 @@ def test_wrong_numbers_name_their_field_and_keep_the_rest(
             await tab.click("Compute")
             await until(lambda sign=sign: tab.has_text(sign), sign)
             assert await tab.has_text("Field: Load")
-        await tab.picture(tmp_path / "wrong.png")
         await tab.fill("Load", "40")
         await computed(tab)
         await tab.fill("Load", "41")
         await until(lambda: tab.has_text("Something was changed"), "the mark of an old answer")
-        await tab.picture(tmp_path / "old.png")
 
     in_browser(use)
 
@@ -305,7 +298,7 @@ def test_the_page_fits_windows_of_any_width(
         await tab.open(address)
         await entered(tab, example)
         await computed(tab)
-        for width in (400, 800, 1400, 1920):
+        for width in (400, 800, 1920):
             await tab.size(width, 900)
             for kind in ("Two bodies", "Line", "M, L, D", "Reduced"):
                 await tab.click(kind)
@@ -314,6 +307,5 @@ def test_the_page_fits_windows_of_any_width(
                     "document.documentElement.scrollWidth - document.documentElement.clientWidth"
                 )
                 assert wide <= 0, (width, kind)
-            await tab.picture(tmp_path / f"width{width}.png", whole=True)
 
     in_browser(use)
