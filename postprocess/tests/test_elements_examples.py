@@ -8,6 +8,7 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
+import xarray as xr
 
 import ehlwave
 from ehlwave import elements
@@ -17,7 +18,7 @@ from ehlwave.elements.columns import TEXTS
 from ehlwave.elements.document import CALLS, KINDS, read_element
 from ehlwave.elements.drawing import DRAWINGS, drawing_svg
 from ehlwave.elements.formulas import FORMULAS
-from ehlwave.elements.report import report_html
+from ehlwave.elements.report import reasons, report_html
 
 FOLDER = Path(__file__).parents[1] / "examples" / "elements"
 FILES = sorted(FOLDER.glob("*.toml"))
@@ -29,6 +30,13 @@ def kind_of(path: Path) -> str:
 
 def test_each_element_has_an_example_and_a_drawing() -> None:
     assert {read_element(path).name for path in FILES} == set(CALLS) == set(DRAWINGS)
+
+
+def test_a_kind_of_doubts_has_the_largest_numbers_of_all_places() -> None:
+    texts = ["friction within 40 %", "friction within 54 %", "friction within 9 %\nwarm by 2 K"]
+    table = xr.Dataset({"refusal": ("place", texts), "load_n": ("place", [1.0, 2.0, 3.0])})
+    found = reasons(table)
+    assert found == ["3 of 3 places: friction within 54 %", "1 of 3 places: warm by 2 K"]
 
 
 @pytest.mark.parametrize("kind", sorted(KINDS))

@@ -88,15 +88,20 @@ def reasons(table: xr.Dataset) -> list[str]:
 
 
 def _kinds(table: xr.Dataset, column: str) -> list[str]:
-    """Return texts of a column; texts that differ in numbers alone count as equal."""
-    first: dict[str, str] = {}
+    """Return texts of a column; of texts that differ in numbers alone the one with the largest."""
+    largest: dict[str, str] = {}
     counts: dict[str, int] = {}
     for text in table[column].values.ravel():
         for part in filter(None, str(text).split("\n")):
             kind = re.sub(r"\d\S*", "#", part)
-            first.setdefault(kind, part)
+            largest[kind] = max(largest.get(kind, part), part, key=_numbers)
             counts[kind] = counts.get(kind, 0) + 1
-    return [f"{counts[kind]} of {table['load_n'].size} places: {first[kind]}" for kind in first]
+    return [f"{counts[kind]} of {table['load_n'].size} places: {largest[kind]}" for kind in largest]
+
+
+def _numbers(text: str) -> list[float]:
+    """Return the numbers of a text, the largest first."""
+    return sorted(map(float, re.findall(r"\d+(?:\.\d+)?", text)), reverse=True)
 
 
 def report_json(table: xr.Dataset) -> str:
