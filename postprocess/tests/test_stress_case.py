@@ -179,7 +179,9 @@ def test_command_of_a_surface(tmp_path: Path, capsys: Capture) -> None:
     command = ["stress", str(tmp_path / "t.csv"), "--conditions", *words, "slip_parameter=1.2"]
     output = tmp_path / "new" / "out"
     assert main([*command, "--form", "none", "--ends", "none", "--output", str(output)]) == 0
-    figures = {f"{n}.{kind}" for n in ("section", "depth", "ripple") for kind in ("png", "pdf")}
+    figures = {
+        f"{n}.{kind}" for n in ("section", "depth", "ripple", "remove") for kind in ("png", "pdf")
+    }
     assert {one.name for one in output.glob("[!.]*")} == figures | {"stress.json", "stress.h5"}
     document = json.loads((output / "stress.json").read_text())
     direct = contact(1.2).stress(surface, form="none", ends="none")

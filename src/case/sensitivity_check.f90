@@ -18,13 +18,17 @@ contains
       if (allocated(error) .or. .not. case%sensitivities) return
       waves = case%surfaces()
       if (case%effects%heat%is_given()) then
-         call raise(error, '&output sensitivities are derivatives of an isothermal contact: remove them, or &heat')
+         call raise(error, '&output sensitivities are derivatives of an isothermal contact, as the march of the '// &
+            'temperatures has no transposed march: remove them, or &heat')
       else if (case%has_heights()) then
          call raise(error, '&output sensitivities: a march of a measured surface is not differentiated: remove '// &
             'them, or &surface and &surface2')
       else if (case%end_time > 0) then
          call raise(error, '&output sensitivities: marches in time are not differentiated: remove them, or '// &
             '&dynamics end_time')
+      else if (case%is_wavy() .and. case%response == 'periodic') then
+         call raise(error, "&output sensitivities: a periodic state would need the transposed march of its period, "// &
+            "which is not built: set &waviness response = 'harmonic', whose Ad/Ai is differentiated, or remove them")
       else if (case%is_wavy() .and. .not. (case%responds() .or. case%touches_at_rest())) then
          call raise(error, "&output sensitivities with &waviness response = '"//trim(case%response)// &
             "': marches in time and standing patterns are not differentiated: set response = 'harmonic', whose "// &

@@ -17,6 +17,7 @@ RESULTS = {"central_film": "_um", "minimum_film": "_um", "friction_coefficient":
            "rolling_resistance": "", "harmonic_ratio": "", "touching_share": "", "mean_speed": "_m_per_s"}
 DEFAULTS = {"pressure_viscosity_per_pa": ("lubricant", 2.2e-8), "roelands_index": ("lubricant", 0.68),
             "shear_limit_width": ("lubricant", 0.1), "solid_friction": ("touching", 0.1)}
+HEAT = {"oil_conductivity_w_per_m_k": 0.14, "oil_heat_capacity_j_per_kg_k": 2000, "oil_density_kg_per_m3": 870, "viscosity_temperature_per_k": 0.04}
 TOUCHING = 1000      # draws from this number on are of surfaces that touch
 VISCOSITY = {
     "roelands": {"pressure_viscosity_per_pa": 1.8e-8, "roelands_index": 0.6},
@@ -204,7 +205,8 @@ class InputGradients(TestCase):
         groups = {"conditions": conditions(random.Random(3), False, True), "grid": {"cells_x": 48, "cells_y": 48}}
         waves = {"orientation": "transverse", "wavelength_over_a": 1}
         for more, words in (({"waviness": waves}, ("sensitivities", "harmonic")),
-                            ({"waviness": {**waves, "response": "periodic"}}, ("sensitivities", "harmonic")),
+                            ({"waviness": {**waves, "response": "periodic"}}, ("sensitivities", "transposed march", "harmonic")),
+                            ({"heat": HEAT, "lubricant": {"temperature_k": 333}}, ("sensitivities", "temperatures", "&heat")),
                             ({"dynamics": {"end_time": 1}}, ("sensitivities", "end_time")),
                             ({"waviness": {**waves, "orientation": "longitudinal"}}, ("sensitivities", "harmonic"))):
             with self.assertRaises(AssertionError) as refused:

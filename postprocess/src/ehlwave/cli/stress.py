@@ -92,13 +92,20 @@ def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa
     print(stress_json(result) if options.json else stress_text(result))
     if options.output is None:
         return []
-    from ehlwave.stress.figures import depth_figure, predicted_section, ripple_figure
+    from ehlwave.stress.figures import (
+        depth_figure,
+        predicted_section,
+        ripple_figure,
+        risk_figure,
+    )
 
     figures = {
         "section": predicted_section(result),
         "depth": depth_figure(result),
         "ripple": ripple_figure(result),
     }
+    if any(body.bands for body in result.bodies):
+        figures["remove"] = risk_figure(result)
     return _write(options, stress_json(result), stress_dataset(result), figures)
 
 

@@ -1,6 +1,6 @@
 """Results for one body: criteria, Dang Van's factor, life, and their errors."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +12,7 @@ from ehlwave.stress.criteria import CRITERIA, largest_shear
 from ehlwave.stress.dang_van import Path, dang_van_factor, dang_van_path
 from ehlwave.stress.history import Histories
 from ehlwave.stress.life import life_integral_ratio, life_ratio, share_at_risk
+from ehlwave.stress.removal import RiskBand
 
 Floats = NDArray[np.float64]
 
@@ -82,6 +83,8 @@ class BodyStress(Shown):
     of the ripple, over the depths of ``risk``."""
     path: Path
     """Path of the point of the largest factor, over its passage."""
+    bands: list[RiskBand]
+    """Waves by their exponents in the largest factor near the surface, largest first."""
 
     def _shown_rows(self) -> dict[str, str]:
         """Return the largest stresses, Dang Van's factor and the life."""
@@ -104,6 +107,7 @@ def judge_body(
     near_m: float,
     errors: tuple[float, float],
     cycle_power: float,
+    bands_at: Callable[[int, int], list[RiskBand]],
 ) -> BodyStress:
     """Return the results of the histories of a body.
 
@@ -121,6 +125,8 @@ def judge_body(
         Relative errors of the ripple, and of the smooth stress.
     cycle_power : float
         e of Ioannides and Harris.
+    bands_at : callable
+        Waves by their exponents in the factor at indices of depth and point.
     """
     total, smooth = histories.total, histories.smooth
     fields = {key: criterion(total) for key, criterion in CRITERIA.items()}
@@ -136,7 +142,7 @@ def judge_body(
     factor = dang_van_factor(total, fatigue_pa)
     smooth_factor = np.asarray(dang_van_factor(smooth, fatigue_pa))
     near = histories.depths_m <= near_m
-    z, point = np.unravel_index(int(np.argmax(factor)), factor.shape)
+    z, point = _worst(factor)
     worst = {key: values[:, z, point] for key, values in total.items()}
     larger = {key: worst[key] + errors[0] * histories.ripple[key][:, z, point] for key in worst}
     change = abs(float(dang_van_factor(larger, fatigue_pa)) - float(factor[z, point]))
@@ -166,7 +172,14 @@ def judge_body(
         smooth_over_depth=smooth_factor[:, 0],
         ripple_over_depth_pa=sheared.max(axis=(0, 2)),
         path=dang_van_path(worst),
+        bands=bands_at(*_worst(np.where(near[:, None], factor, 0.0))),
     )
+
+
+def _worst(factor: Floats) -> tuple[int, int]:
+    """Return the indices of depth and point of the largest factor."""
+    z, point = np.unravel_index(int(np.argmax(factor)), factor.shape)
+    return int(z), int(point)
 
 
 def _peak(field: Floats, histories: Histories, smooth_pa: float = 0.0) -> Peak:

@@ -23,6 +23,7 @@ from ehlwave.stress.dang_van import PRESSURE_COEFFICIENT, Path, fatigue_shear
 from ehlwave.stress.field import stress_below
 from ehlwave.stress.loads import checked_poisson_ratios
 from ehlwave.stress.rough import RoughStress
+from ehlwave.surface.bands_figure import bars_figure
 
 Floats = NDArray[np.float64]
 
@@ -173,6 +174,26 @@ def ripple_figure(result: RoughStress) -> Figure:
         over_depth.invert_yaxis()
         over_depth.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
     return figure
+
+
+def risk_figure(result: RoughStress) -> Figure:
+    """Draw the exponents of Dang Van's factor near the surface in the amplitude of the waves.
+
+    A bar for each octave of the wavelength, by direction; a panel for each body that has waves.
+    Bars above 0: less of these waves lowers the factor.
+
+    Parameters
+    ----------
+    result : RoughStress
+        Of rough surfaces.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Wavelengths in um.
+    """
+    panels = {body.name: [(band, band.gradient) for band in body.bands] for body in result.bodies}
+    return bars_figure({f"Dang Van's factor,\n{name}": bars for name, bars in panels.items()})
 
 
 def _pull(result: RoughStress) -> float:

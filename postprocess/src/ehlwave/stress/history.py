@@ -46,6 +46,10 @@ class Histories:
     (points,)."""
     even: int
     """How many of the points, the first, are evenly spread."""
+    met: tuple[tuple[Floats, NDArray[np.intp]], ...]
+    """Indices of the points on each rough surface, and of their lines."""
+    fall: Floats
+    """Ripple over the ripple at the centre, shape (time, z)."""
     ripple: Stresses
     smooth: Stresses
     """`ripple`, `smooth`: stresses by component, Pa: of the ripple over (time, z, points), and of
@@ -106,9 +110,12 @@ def follow(
     ripple = {name: np.zeros(shape) for name in COMPONENTS}
     fall = edge_factor_below(places / a, depths_m / a, b / a)
     near = np.abs(places) < REACH * a
+    fall[~near] = 0
+    met = []
     for one in ripples:
         meets = at if one is leader else _met(one, points * one.slip / slip)
         rows = lines % one.lines_m.size
+        met.append((meets, rows))
         found = ripple_stresses(
             one, places[near], depths_m, one.slip / slip, friction, poisson_ratio
         )
@@ -125,7 +132,7 @@ def follow(
             for name in COMPONENTS
         }
     over_time = {name: np.asarray(known[name]).T[..., None] for name in COMPONENTS}
-    return Histories(places, depths_m, points, even, ripple, over_time)
+    return Histories(places, depths_m, points, even, tuple(met), fall, ripple, over_time)
 
 
 def _chosen(ripple: Ripple) -> tuple[Floats, NDArray[np.intp], int]:

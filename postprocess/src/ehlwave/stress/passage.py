@@ -60,7 +60,33 @@ def ripple_stresses(
     friction: float,
     poisson_ratio: float,
 ) -> Iterator[Stresses]:
-    """Yield the stresses of points of a body at each place X in turn.
+    """Yield the stresses of points of a body at each place X in turn, from :func:`wave_stresses`.
+
+    Yields
+    ------
+    dict of ndarray, shape (z, points, lines)
+        By component, Pa; those that are nothing are left out.
+    """
+    same: Stresses | None = None
+    material = friction, poisson_ratio
+    for total in wave_stresses(ripple, places_m, depths_m, ratio, *material):
+        if same is None:
+            found = {name: ripple.over_points(value) for name, value in total.items()}
+            # Waves that move with the body are the same for its points at every place.
+            if not _carries(ripple) and (ratio == 1 or not ripple.moves):
+                same = found
+        yield found
+
+
+def wave_stresses(
+    ripple: Ripple,
+    places_m: Floats,
+    depths_m: Floats,
+    ratio: float,
+    friction: float,
+    poisson_ratio: float,
+) -> Iterator[dict[str, Complex]]:
+    """Yield the amplitudes of the waves of stress that points feel at each place X in turn.
 
     Parameters
     ----------
@@ -75,28 +101,27 @@ def ripple_stresses(
 
     Yields
     ------
-    dict of ndarray, shape (z, points, lines)
+    dict of ndarray, shape (z, kx, ky)
         By component, Pa; those that are nothing are left out.
     """
     waves = ripple.waves
     material = friction, poisson_ratio
     own = _below(waves.number_x.astype(complex), waves.number_y, depths_m, *material)
-    carries = np.any(np.abs(waves.complementary) > 0)
+    carries = _carries(ripple)
     other = _below(waves.psi, waves.number_y, depths_m, *material) if carries else {}
-    same: Stresses | None = None
     for x_m in places_m:
-        if same is None:
-            turn = np.exp(-1j * ratio * waves.number_x * x_m) * ripple.amplitude
-            here = waves.attenuated * np.exp(1j * waves.number_x * x_m) * turn
-            total = {name: factor * here for name, factor in own.items()}
-            if carries:
-                there = waves.complementary * waves.carried(x_m) * turn
-                total = {name: value + other[name] * there for name, value in total.items()}
-            found = {name: ripple.over_points(value) for name, value in total.items()}
-            # Waves that move with the body are the same for its points at every place.
-            if not carries and (ratio == 1 or not ripple.moves):
-                same = found
-        yield found
+        turn = np.exp(-1j * ratio * waves.number_x * x_m) * ripple.amplitude
+        here = waves.attenuated * np.exp(1j * waves.number_x * x_m) * turn
+        total = {name: factor * here for name, factor in own.items()}
+        if carries:
+            there = waves.complementary * waves.carried(x_m) * turn
+            total = {name: value + other[name] * there for name, value in total.items()}
+        yield total
+
+
+def _carries(ripple: Ripple) -> bool:
+    """Return whether the oil carries waves of the ripple."""
+    return bool(np.any(np.abs(ripple.waves.complementary) > 0))
 
 
 def _below(

@@ -10,6 +10,7 @@ import xarray as xr
 
 from ehlwave.stress.body import INNER, BodyStress, Peak
 from ehlwave.stress.dang_van import Path, limit_text
+from ehlwave.stress.removal import risk_text
 from ehlwave.stress.rough import RoughStress
 
 FORMAT_NAME = "ehlwave-stress"
@@ -56,6 +57,7 @@ def stress_text(result: RoughStress) -> str:
             + f"   down to {body.near_m * UM:.3g} um",
             _row("share of surface at risk", f"{100 * body.share_at_risk:.3g} %"),
             _row("life over that without", f"{body.life_ratio:.3g}"),
+            *(f"  remove first              {line}" for line in risk_text(body.bands)),
         ]
     lines += ["", limit_text(result.cycles)]
     if result.valid_within_a > 0:
@@ -103,8 +105,9 @@ def stress_summary(result: RoughStress) -> dict[str, Any]:
         entry = {
             key: value
             for key, value in vars(body).items()
-            if not isinstance(value, xr.DataArray | np.ndarray | Path | dict | Peak)
+            if not isinstance(value, xr.DataArray | np.ndarray | Path | dict | list | Peak)
         }
+        entry["bands"] = [asdict(band) for band in body.bands]
         entry["peaks"] = {key: asdict(peak) for key, peak in body.peaks.items()}
         entry["ripple_shear"] = asdict(body.ripple_shear)
         bodies.append(entry)

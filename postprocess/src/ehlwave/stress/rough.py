@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +26,7 @@ from ehlwave.stress.loads import (
     checked_number,
     checked_poisson_ratios,
 )
+from ehlwave.stress.removal import risk_bands
 from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts, reach
 from ehlwave.surface.predict import Deformed
 from ehlwave.surface.ripple import hertz_pressure_of
@@ -179,6 +181,15 @@ def rough_stress(
                 near,
                 (error, MODEL_ERROR),
                 power,
+                partial(
+                    risk_bands,
+                    histories,
+                    ripples=ripples,
+                    slip=own_slip,
+                    friction=pull,
+                    poisson_ratio=ratios[index],
+                    fatigue_pa=tau_f,
+                ),
             )
         )
     return RoughStress(

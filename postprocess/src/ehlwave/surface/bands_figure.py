@@ -1,6 +1,6 @@
 """Figure of the waves to remove first."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib import rc_context
@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ehlwave.surface.figures import STYLE, UM
-from ehlwave.surface.removal import DIRECTIONS, Band
+from ehlwave.surface.removal import DIRECTIONS, Band, Waves
 
 COLOURS = dict(zip(DIRECTIONS, ("#0072B2", "#E69F00", "#009E73"), strict=True))
 HATCHES = dict(zip(DIRECTIONS, ("", "///", "..."), strict=True))
@@ -30,13 +30,20 @@ def removal_figure(bands: Sequence[Band]) -> Figure:
     matplotlib.figure.Figure
         Wavelengths in um.
     """
-    panels = [("lambda ratio", [(band, band.gradient) for band in bands])]
+    panels: dict[str, list[tuple[Waves, float]]] = {
+        "lambda ratio": [(band, band.gradient) for band in bands]
+    }
     if films := [(b, b.film_gradient) for b in bands if b.film_gradient is not None]:
-        panels.append(("smallest film", films))
+        panels["smallest film"] = [*films]
+    return bars_figure(panels)
+
+
+def bars_figure(panels: Mapping[str, Sequence[tuple[Waves, float]]]) -> Figure:
+    """Draw the exponents of results, by name, in the amplitude of the waves: a panel for each."""
     with rc_context(STYLE):
         figure = Figure(figsize=(6.4, 0.8 + 2.2 * len(panels)), layout="constrained")
         all_axes = figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0]
-        for axes, (name, values) in zip(all_axes, panels, strict=True):
+        for axes, (name, values) in zip(all_axes, panels.items(), strict=True):
             _draw_bars(axes, values)
             axes.set_ylabel(f"exponent of {name}")
         all_axes[-1].set_xscale("log")
@@ -46,7 +53,7 @@ def removal_figure(bands: Sequence[Band]) -> Figure:
     return figure
 
 
-def _draw_bars(axes: Axes, values: Sequence[tuple[Band, float]]) -> None:
+def _draw_bars(axes: Axes, values: Sequence[tuple[Waves, float]]) -> None:
     """Draw values, stacked over the directions of an octave."""
     ends: dict[tuple[float, bool], float] = {}
     for direction in DIRECTIONS:

@@ -20,7 +20,7 @@ OCTAVE = 2.0
 
 
 @dataclass(frozen=True)
-class Band:
+class Waves:
     """Waves of similar length and direction.
 
     Attributes
@@ -29,6 +29,24 @@ class Band:
         Wavelengths along the wave vector.
     direction : str
         ``"transverse"``: across rolling, ``"oblique"``, or ``"longitudinal"``: ridges along it.
+    """
+
+    shortest_m: float
+    longest_m: float
+    direction: str
+
+    @property
+    def text(self) -> str:
+        """Return its lengths and direction for a report."""
+        return f"{self.shortest_m * 1e6:.3g} to {self.longest_m * 1e6:.3g} um, {self.direction}"
+
+
+@dataclass(frozen=True)
+class Band(Waves):
+    """Waves of similar length and direction, and their share in the film.
+
+    Attributes
+    ----------
     share_before, share_after : float
         Of the mean square of the heights before, and in the contact.
     gradient : float
@@ -40,9 +58,6 @@ class Band:
         surface. None: there is no smallest film, or the map has more than 4 million points.
     """
 
-    shortest_m: float
-    longest_m: float
-    direction: str
     share_before: float
     share_after: float
     gradient: float
@@ -63,18 +78,18 @@ class Bands:
     ) -> None:
         """Add a block: waves per metre along x (rows) and y (columns), mean squares, m^2."""
         risen = np.zeros_like(before) if rise is None else 2 * rise * before
-        place, lowest = _places(qx, qy)
+        place, lowest = places_of_bands(qx, qy)
         sums = [np.bincount(place, part.ravel()) for part in (before, after, risen)]
         for one in np.flatnonzero(sums[0]):
-            key = _key(int(one), lowest)
+            key = band_key(int(one), lowest)
             self._sums[key] = self._sums.get(key, np.zeros(3)) + [part[one] for part in sums]
 
     def add_heights(self, qx: Floats, qy: Floats, heights: Floats) -> None:
         """Add the heights of a block at the highest deformed point, m."""
-        place, lowest = _places(qx, qy)
+        place, lowest = places_of_bands(qx, qy)
         sums = np.bincount(place, heights.ravel())
         for one in np.flatnonzero(sums):
-            key = _key(int(one), lowest)
+            key = band_key(int(one), lowest)
             self._heights[key] = self._heights.get(key, 0.0) + float(sums[one])
 
     def gradients(self, statistics: FilmStatistics) -> list[Band]:
@@ -123,7 +138,7 @@ class Bands:
         return slope * (2 * lift - self._heights.get(key, 0.0)) / smallest
 
 
-def _places(qx: Floats, qy: Floats) -> tuple[NDArray[np.intp], int]:
+def places_of_bands(qx: Floats, qy: Floats) -> tuple[NDArray[np.intp], int]:
     """Return numbers of the bands of components, and the lowest octave, where they begin."""
     along, across = np.abs(qx), np.abs(qy)
     octave = -np.frexp(np.hypot(along, across))[1].astype(int)  # 2^octave: shortest wavelength
@@ -132,7 +147,7 @@ def _places(qx: Floats, qy: Floats) -> tuple[NDArray[np.intp], int]:
     return (len(DIRECTIONS) * (octave - lowest) + turn).ravel(), lowest
 
 
-def _key(place: int, lowest: int) -> tuple[int, int]:
+def band_key(place: int, lowest: int) -> tuple[int, int]:
     """Return octave and direction of a band."""
     return place // len(DIRECTIONS) + lowest, place % len(DIRECTIONS)
 
@@ -141,7 +156,7 @@ def removal_text(bands: list[Band], most: int = 3, least: float = 0.02) -> list[
     """Return lines of a report: the bands to remove first."""
     chosen = [band for band in bands[:most] if band.gradient < -least]
     return [
-        f"{band.shortest_m * 1e6:.3g} to {band.longest_m * 1e6:.3g} um, {band.direction}: 1 % less "
+        f"{band.text}: 1 % less "
         f"amplitude gives {-band.gradient:.2g} % more lambda"
         + (
             f"; without them it is {band.lambda_without:.3g}"
@@ -161,6 +176,6 @@ def film_text(bands: list[Band], least: float = 0.02) -> str:
     if not (band.film_gradient or 0.0) < -least:
         return ""
     return (
-        f"{band.shortest_m * 1e6:.3g} to {band.longest_m * 1e6:.3g} um, {band.direction}: 1 % less "
+        f"{band.text}: 1 % less "
         f"amplitude gives {-(band.film_gradient or 0.0):.2g} % more smallest film"
     )
