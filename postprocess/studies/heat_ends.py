@@ -1,7 +1,8 @@
 """Steps of ``scripts/study heat-ends``: laws of heat at ends of their ranges, beyond their fit.
 
 Light line contacts with thick films, and oils with a small Eyring stress, are computed with and
-without heat. None of them is in the fit, so that all judge the laws.
+without heat. The laws of ``scripts/study heat`` are not fitted to them. Friction of light
+lines has a factor fitted here, contacts held out.
 """
 
 import argparse

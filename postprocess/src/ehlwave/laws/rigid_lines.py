@@ -31,6 +31,7 @@ PLACES, PRESSURES, LARGEST_ALPHA_P = 1001, 2001, 200.0
 DEFORMED, ERROR, ERROR_BY_DEFORMATION = 0.6, 0.015, 0.4
 """Growth of the film by deformation, times the Hertz approach over the film; error of the film, and
 its part in this growth: 15 contacts of ehlwave-case, M = 0.06 to 0.4 and L = 2 to 20, are within.
+All three were set on these contacts.
 """
 
 
