@@ -19,6 +19,7 @@ DEFAULTS = {"pressure_viscosity_per_pa": ("lubricant", 2.2e-8), "roelands_index"
             "shear_limit_width": ("lubricant", 0.1), "solid_friction": ("touching", 0.1)}
 HEAT = {"oil_conductivity_w_per_m_k": 0.14, "oil_heat_capacity_j_per_kg_k": 2000, "oil_density_kg_per_m3": 870, "viscosity_temperature_per_k": 0.04}
 TOUCHING = 1000      # draws from this number on are of surfaces that touch
+TWO_SOLUTIONS = {1019}   # a change of 2e-5 in the amplitude ends in another film, 0.59 times as thick
 VISCOSITY = {
     "roelands": {"pressure_viscosity_per_pa": 1.8e-8, "roelands_index": 0.6},
     "barus": {"pressure_viscosity_per_pa": 1.2e-8},
@@ -173,6 +174,7 @@ class InputGradients(TestCase):
         """Points and lines of any oil, sliding or not, flooded or starved, and surfaces that touch."""
         first = int(os.environ.get("EHLWAVE_FIRST_DRAW", "0"))
         numbers = [*range(first, first + (200 if IS_LONG else 10)), *range(TOUCHING + first, TOUCHING + first + (60 if IS_LONG else 3))]
+        numbers = [number for number in numbers if number not in TWO_SOLUTIONS]
         outcomes = [self.check(number) for number in numbers]
         touching = [count for number, (count, _) in zip(numbers, outcomes) if number >= TOUCHING]
         self.assertGreater(sum(count > 0 for count in touching), len(touching)/2, "touching surfaces with a solution")
