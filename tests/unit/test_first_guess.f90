@@ -30,7 +30,8 @@ contains
       real(dp) :: p(0:nx, 0:ny)
       integer :: k
 
-      past%steady = state_of(0*p + rest, 0.0_dp)
+      p = rest
+      past%steady = state_of(p, 0.0_dp)
       past%before = step_of(m, 9, by_wave, by_oil)
       past%earlier = step_of(m, 8, by_wave, by_oil)
       past%earliest = step_of(m, 7, by_wave, by_oil)

@@ -28,7 +28,7 @@ program test_touching_checkpoint
 
 contains
 
-   !> Stop a march after some steps, on its mesh and on the wider one, and go on.
+   !> Stop a march after some steps on the wider mesh, and go on; that of a line on its own mesh, too.
    subroutine check_march(name, is_line)
       character(len=*), intent(in) :: name
       logical, intent(in) :: is_line
@@ -42,7 +42,7 @@ contains
       call run(case, plan, plan%steps, huge(1), whole, first, steps)
       call test%check_equal(steps, plan%steps, name//': steps of the whole march')
       call test%check(whole%effects%touching%account%share > 0.01_dp, name//': the surfaces touch')
-      call check_stop(name, case, plan, plan%steps, whole)
+      if (is_line) call check_stop(name, case, plan, plan%steps, whole)
       call check_stop(name//', wider mesh', case, plan, plan%steps/2, whole)
    end subroutine check_march
 

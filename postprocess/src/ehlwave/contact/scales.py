@@ -6,6 +6,7 @@ compares both to round-off.
 """
 
 import math
+from functools import lru_cache
 from typing import TypeVar
 
 import numpy as np
@@ -19,6 +20,7 @@ from ehlwave.errors import SurfaceError
 Number = TypeVar("Number", float, NDArray[np.float64])
 
 
+@lru_cache(maxsize=4096)
 def ellipticity(d: float) -> float:
     """Return kappa = a/b that solves D = kappa^2 (K - E)/(E - kappa^2 K), eq. (1).
 
