@@ -28,7 +28,7 @@ from ehlwave.laws.computed_waves import (
     no_base,
     refined,
 )
-from ehlwave.laws.transfer import EXTRAPOLATED, Waves
+from ehlwave.laws.transfer import Waves
 from ehlwave.programs.progress import Following
 
 TOLERANCE, STARVED_TOLERANCE, CHANGE_TOLERANCE = 0.01, 0.02, 0.02
@@ -93,12 +93,6 @@ class ComputedTransfer(AtlasTransfer):
     def name(self) -> str:
         """Return its description."""
         return SOURCE
-
-    @property
-    def outside_reason(self) -> str:
-        """Why components are not covered."""
-        low, high = WAVE_RANGE
-        return f"of lengths outside {low:g} to {high:g} a{EXTRAPOLATED}"
 
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
         """Return the rise of the mean film by waves; None where it is not known."""

@@ -239,9 +239,9 @@ def warmed(
 
     def friction(one: Sliding, conductivity: float) -> float:
         other = _conducting(heat, conductivity)
-        one = replace(one, film_m=one.film_m * inlet_of(other) / inlet)
-        found = shear_warm(one, other)
         its_inlet = inlet_of(other)
+        one = replace(one, film_m=one.film_m * its_inlet / inlet)
+        found = shear_warm(one, other)
         one_loading = loading_of(conditions, other)
         return found.friction * factor(found, one.film_m / film_m, one_loading, its_inlet)
 

@@ -9,6 +9,7 @@ contacts do.
 """
 
 from collections.abc import Iterator
+from itertools import repeat
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,15 +68,12 @@ def ripple_stresses(
     dict of ndarray, shape (z, points, lines)
         By component, Pa; those that are nothing are left out.
     """
-    same: Stresses | None = None
-    material = friction, poisson_ratio
-    for total in wave_stresses(ripple, places_m, depths_m, ratio, *material):
-        if same is None:
-            found = {name: ripple.over_points(value) for name, value in total.items()}
-            # Waves that move with the body are the same for its points at every place.
-            if not _carries(ripple) and (ratio == 1 or not ripple.moves):
-                same = found
-        yield found
+    # Waves that move with the body are the same for its points at every place.
+    stays = not _carries(ripple) and (ratio == 1 or not ripple.moves)
+    places, times = (places_m[:1], places_m.size) if stays else (places_m, 1)
+    for total in wave_stresses(ripple, places, depths_m, ratio, friction, poisson_ratio):
+        found = {name: ripple.over_points(value) for name, value in total.items()}
+        yield from repeat(found, times)
 
 
 def wave_stresses(
