@@ -15,6 +15,7 @@ import xarray as xr
 
 from ehlwave.writing import Writer, write_new_text
 from studies import programs
+from studies.judged.runs import read_rows
 
 Groups = dict[str, dict[str, Any]]
 Array = np.ndarray[Any, Any]
@@ -185,11 +186,7 @@ def main() -> int:
         "--record", type=Path, required=True, help="lines of JSON; goes on where it ends"
     )
     options = parser.parse_args()
-    entries = []
-    if options.record.exists():
-        entries = [
-            json.loads(line) for line in options.record.read_text(encoding="utf-8").splitlines()
-        ]
+    entries = read_rows(options.record)
     known = {(entry["number"], entry["finer"]) for entry in entries}
     numbers = range(options.first, options.first + options.count)
     wanted = [(number, False) for number in numbers] + [

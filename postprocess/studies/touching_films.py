@@ -6,7 +6,6 @@ with the mesh size does not decide whether they do.
 """
 
 import argparse
-import json
 import math
 import random
 import sys
@@ -23,6 +22,7 @@ import ehlwave
 from ehlwave.results.figures import COLOURS
 from ehlwave.writing import Writer
 from studies import touching
+from studies.judged.runs import kept, read_rows
 
 Groups = dict[str, dict[str, Any]]
 
@@ -60,7 +60,7 @@ def draw(number: int) -> tuple[str, Groups, float]:
     return f"{kind}, Rq/film {rq / film:.2f}", groups, width
 
 
-def march(number: int) -> dict[str, Any]:
+def march(number: int, _folder: Path) -> dict[str, Any]:
     """Return the mean film of a march over the smooth film, and what touches."""
     kind, groups, _ = draw(number)
     with tempfile.TemporaryDirectory() as name:
@@ -69,7 +69,7 @@ def march(number: int) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as name:
         even = touching.solve(smooth, Path(name))
     keys = ("status", "message", "touching_share", "touching_share_error", "touching_is_artefact")
-    entry = {"number": number, "kind": kind} | {key: rough.get(key) for key in keys}
+    entry = {"kind": kind} | {key: rough.get(key) for key in keys}
     films = {"film_um": rough.get("mean_film_um"), "smooth_film_um": even.get("mean_film_um")}
     return entry | films | {"seconds": rough.get("seconds")}
 
@@ -188,17 +188,8 @@ def main() -> int:
     parser.add_argument("--count", type=int, default=40, help="contacts (default 40)")
     parser.add_argument("--record", type=Path, required=True, help="lines of JSON; goes on")
     options = parser.parse_args()
-    entries = []
-    if options.record.exists():
-        lines = options.record.read_text(encoding="utf-8").splitlines()
-        entries = [json.loads(line) for line in lines]
-    known = {entry["number"] for entry in entries}
-    for number in range(1, options.count + 1):
-        if number in known:
-            continue
-        entries.append(march(number))
-        lines = [json.dumps(entry) + "\n" for entry in entries]
-        Writer(overwrite=True).text(options.record, "".join(lines))
+    recorded = (row["number"] for row in read_rows(options.record))
+    entries = kept(options.record, sorted({*range(1, options.count + 1), *recorded}), march, 1)
     compared = [compare(entry) for entry in entries]
     table = pd.DataFrame(compared)
     Writer(overwrite=True).text(options.record.with_suffix(".csv"), table.to_csv(index=False))

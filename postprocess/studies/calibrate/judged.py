@@ -125,13 +125,6 @@ def _errors(contact: Row, found: Row, table: dict[str, float]) -> Iterator[Row]:
         }
 
 
-def read_contacts(path: Path) -> list[Row]:
-    """Return the contacts of a record."""
-    if not path.is_file():
-        return []
-    return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
-
-
 def write_contacts(path: Path, contacts: Iterable[Row]) -> None:
     """Write the contacts of a record."""
     lines = [json.dumps(contact, separators=(",", ":")) for contact in contacts]

@@ -1,6 +1,8 @@
 """Studies that fit the laws of the package to computed contacts, or judge them."""
 
 import argparse
+from collections.abc import Sequence
+from pathlib import Path
 
 from studies.command import steps
 from studies.command.options import at_once, flag, given, option, output, study
@@ -9,6 +11,12 @@ GROUPS = ("lines", "points", "bearings", "thick")
 """Sweeps of the studies of heat."""
 ENDS = ("light", "soft", "soft_points")
 """Sweeps of the study of their ends."""
+
+
+def _sweep_warm_and_cold(folder: Path, names: Sequence[str]) -> None:
+    """Run the sweeps of contacts with heat and without."""
+    for name in (f"{one}{cold}" for one in names for cold in ("", "_cold")):
+        steps.sweep(folder / f"{name}.nml")
 
 
 @study(
@@ -66,8 +74,7 @@ def heat(options: argparse.Namespace) -> int:
     steps.prepare()
     folder = options.output
     steps.python("heat", "cases", folder, *given(options, "lines", "points", "more", "cells"))
-    for name in (f"{one}{cold}" for one in GROUPS for cold in ("", "_cold")):
-        steps.sweep(folder / f"{name}.nml")
+    _sweep_warm_and_cold(folder, GROUPS)
     return steps.report("heat", "report", folder)
 
 
@@ -93,8 +100,7 @@ def heat_ends(options: argparse.Namespace) -> int:
     folder = options.output
     counts = given(options, "light", "soft", "soft-points")
     steps.python("heat_ends", "cases", folder, *counts)
-    for name in (f"{one}{cold}" for one in ENDS for cold in ("", "_cold")):
-        steps.sweep(folder / f"{name}.nml")
+    _sweep_warm_and_cold(folder, ENDS)
     return steps.report("heat_ends", "report", folder)
 
 

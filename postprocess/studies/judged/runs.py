@@ -38,7 +38,7 @@ def kept(
 
     `work` takes a number and a folder of its own.
     """
-    rows = {row["number"]: row for row in _read(path)}
+    rows = {row["number"]: row for row in read_rows(path)}
     numbers = list(numbers)
     missing = [number for number in numbers if number not in rows]
 
@@ -59,7 +59,8 @@ def _each(numbers: Iterable[int], one: Callable[[int], Row]) -> Iterator[list[Ro
     return ([one(number)] for number in numbers)
 
 
-def _read(path: Path) -> list[Row]:
+def read_rows(path: Path) -> list[Row]:
+    """Return the rows of a file of JSON lines; none where there is no file."""
     if not path.is_file():
         return []
     return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
@@ -91,4 +92,12 @@ def conditions_keys(keys: Mapping[str, float]) -> list[str]:
     return [name for name in keys if name not in oil]
 
 
-__all__ = ["conditions_from_keys", "conditions_keys", "groups_of", "kept", "log_uniform", "solved"]
+__all__ = [
+    "conditions_from_keys",
+    "conditions_keys",
+    "groups_of",
+    "kept",
+    "log_uniform",
+    "read_rows",
+    "solved",
+]
