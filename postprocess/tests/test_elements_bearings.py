@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from sample_bearings import tapered_bearing
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
@@ -12,7 +13,6 @@ from ehlwave.elements import (
     AngularContactBallBearing,
     CylindricalRollerBearing,
     DeepGrooveBallBearing,
-    TaperedRollerBearing,
 )
 from ehlwave.elements.boundary import CONFORMITY_ERROR, DIAMETER_ERROR, KNOWN, PITCH_ERROR
 from ehlwave.elements.hertz import hertz_line, hertz_point, reduced_modulus
@@ -138,14 +138,7 @@ def test_centrifugal_force_and_spin_of_the_manual() -> None:
 
 
 def test_suggested_axial_loads_hold_bearings_together() -> None:
-    tapered = TaperedRollerBearing(
-        roller_diameter_m=0.01,
-        roller_length_m=0.015,
-        pitch_diameter_m=0.06,
-        rollers=16,
-        inner_angle_deg=12,
-        outer_angle_deg=15.5,
-    )
+    tapered = tapered_bearing()
     balls = AngularContactBallBearing(
         ball_diameter_m=0.0127, pitch_diameter_m=0.07, balls=14, contact_angle_deg=40
     )
@@ -414,14 +407,7 @@ def test_outer_ring_bears_the_centrifugal_force_beside_the_load() -> None:
 
 
 def test_rib_of_tapered_rollers_bears_centrifugal_force_along_their_axis() -> None:
-    bearing = TaperedRollerBearing(
-        roller_diameter_m=0.01,
-        roller_length_m=0.015,
-        pitch_diameter_m=0.06,
-        rollers=16,
-        inner_angle_deg=12,
-        outer_angle_deg=15.5,
-    )
+    bearing = tapered_bearing()
     given = {"radial_load_n": 1000, "axial_load_n": 1500}
     zone = bearing.load_zone(inner_speed_rpm=FAST, **given)
     turn = 360 * np.arange(16) / 16

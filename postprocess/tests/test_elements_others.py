@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from sample_bearings import tapered_bearing
 from scipy.optimize import brentq
 
 import ehlwave
@@ -12,7 +13,6 @@ from ehlwave.elements import (
     CamFollower,
     CylindricalRollerBearing,
     MiniTraction,
-    TaperedRollerBearing,
     TwoDisc,
     case_table,
 )
@@ -82,14 +82,7 @@ def test_roller_bearing_of_hamrock() -> None:
 
 
 def test_tapered_bearing_by_the_mean_section_and_the_frame_of_the_cage() -> None:
-    bearing = TaperedRollerBearing(
-        roller_diameter_m=0.01,
-        roller_length_m=0.015,
-        pitch_diameter_m=0.06,
-        rollers=16,
-        inner_angle_deg=12,
-        outer_angle_deg=15.5,
-    )
+    bearing = tapered_bearing()
     loads = {"radial_load_n": 5000.0, "axial_load_n": 2000.0, "inner_speed_rpm": 1000.0}
     places = [bearing.contacts(ring=ring, oil=OIL, **loads) for ring in ("inner", "outer")]
     radii = [one[0].radius_x_m * 1e3 for one in places]
