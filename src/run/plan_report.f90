@@ -4,7 +4,8 @@ module ehlwave_plan_report
    use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_error_account, only: errors_text
    use ehlwave_grid_choice, only: smallest_size
-   use ehlwave_hierarchy, only: fewest_cells
+   use ehlwave_grid, only: grid_t
+   use ehlwave_hierarchy, only: level_count
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: is_beyond_linear, linear_limit_text
    use ehlwave_memory_plan, only: memory_shortage
@@ -12,6 +13,7 @@ module ehlwave_plan_report
    use ehlwave_resolution, only: flooded_inlet_gap
    use ehlwave_roughness, only: roughness_t
    use ehlwave_scheme_choice, only: averaged_cells
+   use ehlwave_shared_steady, only: grid_of
    use ehlwave_surface_plan, only: surface_text
    use ehlwave_text, only: to_text
    use ehlwave_threads, only: thread_count
@@ -34,6 +36,7 @@ contains
 
       character(len=:), allocatable :: shortage
       type(roughness_t) :: both(2)
+      integer :: coarsest
 
       associate (c => plan%conditions)
          write (unit, '(a)') 'Conditions   M = '//to_text(c%m, 6)//', L = '//to_text(c%l, 6)//', D = '// &
@@ -78,12 +81,12 @@ contains
             write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' x '//to_text(plan%cells_y)// &
                ' cells on the whole '// &
                'domain, hX = '//to_text(plan%hx, 5)//', hY = '//to_text(plan%hy, 5)//' ('//plan%grid_reason//')'
+            coarsest = coarsest_cells(case, plan)
+            if (coarsest > many_coarsest) write (unit, '(a)') '             WARNING: these numbers can hardly be '// &
+               'halved ('//to_text(coarsest)//' cells on the coarsest grid): several times the work of '// &
+               to_text(smallest_size(real(plan%cells_x, dp), huge(1)))//' x '// &
+               to_text(smallest_size(real(plan%cells_y, dp), huge(1)))
          end if
-         if (coarsest_cells(plan) > many_coarsest) write (unit, '(a)') '             WARNING: these numbers can '// &
-            'hardly be halved ('//to_text(coarsest_cells(plan))//' cells on the coarsest grid): several times '// &
-            'the work of '// &
-            to_text(smallest_size(real(plan%cells_x, dp), huge(1)))//' x '// &
-            to_text(smallest_size(real(plan%cells_y, dp), huge(1)))
          write (unit, '(a)') 'Deformation  '//trim(merge('FFT ', 'MLMI', plan%deformation == 'fft'))// &
             ' on the finest grid ('// &
             trim(merge('the faster one', 'asked for     ', case%deformation == 'auto'))//'), method '// &
@@ -216,19 +219,13 @@ contains
       if (plan%resolution%samples > 0) text = text//', time steps per wave '//to_text(plan%resolution%samples, 4)
    end function resolution_text
 
-   !> Cells of the coarsest grid along its longer side, as `hierarchy_t` halves them; 0 for lines, whose factors are
-   !> exact.
-   pure integer function coarsest_cells(plan) result(most)
+   !> Cells of the coarsest grid of an elliptical contact along its longer side; factors of lines are exact.
+   pure integer function coarsest_cells(case, plan) result(most)
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      integer :: rows(2)
-      most = 0
-      if (plan%conditions%is_line()) return
-      rows = [plan%cells_x, plan%cells_y]
-      if (plan%is_half) rows(2) = rows(2)/2
-      do while (all(modulo(rows, 2) == 0 .and. rows/2*[1, merge(2, 1, plan%is_half)] >= fewest_cells))
-         rows = rows/2
-      end do
-      most = maxval(rows*[1, merge(2, 1, plan%is_half)])
+      type(grid_t) :: grid
+      grid = grid_of(case, plan)
+      most = max(grid%nx, grid%ny*merge(2, 1, grid%is_half))/2**(level_count(grid) - 1)
    end function coarsest_cells
 
 end module ehlwave_plan_report

@@ -15,7 +15,7 @@ module ehlwave_hierarchy
    use ehlwave_state, only: new_state, state_t
    implicit none (type, external)
    private
-   public :: hertz_guess, work_of
+   public :: hertz_guess, level_count, work_of
 
    !> A level: its problem, the data of its solution, its unknowns and the outcome of its last solve.
    type, public :: level_t
@@ -42,11 +42,23 @@ module ehlwave_hierarchy
       procedure :: work
    end type hierarchy_t
 
-   integer, parameter, public :: fewest_cells = 24   !! along X or over the whole width, on the coarsest grid
+   integer, parameter :: fewest_cells = 24   !! along X or over the whole width, on the coarsest grid
 
 contains
 
-   !> Levels down from the finest grid, cells halved as long as they are even and enough.
+   !> Grids down from a finest one: cells are halved as long as they are even and enough.
+   pure integer function level_count(finest)
+      type(grid_t), intent(in) :: finest
+      type(grid_t) :: grid
+      grid = finest
+      level_count = 1
+      do while (grid%can_coarsen(fewest_cells))
+         grid = grid%coarser()
+         level_count = level_count + 1
+      end do
+   end function level_count
+
+   !> All levels down from the finest grid.
    subroutine build(self, conditions, rheology, finest, deformation)
       class(hierarchy_t), intent(inout) :: self
       type(conditions_t), intent(in) :: conditions
@@ -57,12 +69,7 @@ contains
       integer :: l, n
 
       if (checks) call assert(any(deformation == ['fft ', 'mlmi']), 'hierarchy%build: deformation is fft or mlmi')
-      grid = finest
-      n = 1
-      do while (grid%can_coarsen(fewest_cells))
-         grid = grid%coarser()
-         n = n + 1
-      end do
+      n = level_count(finest)
       if (allocated(self%levels)) deallocate (self%levels)
       allocate (self%levels(n))
       grid = finest

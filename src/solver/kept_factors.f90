@@ -11,6 +11,7 @@ module ehlwave_kept_factors
    !> steps. Factors are made anew as soon as a solve loses more than the mean loss of all solves with these factors,
    !> where making them counts as the loss of the first: the rule for the least mean cost of parts that wear.
    type, public :: kept_factors_t
+      logical, private :: may_keep = .false.     ! factors from system to system
       integer, private :: level = 0              ! of the factors; 0: none to be kept
       integer, private :: solves = 0             ! linear systems that they served
       integer, private :: system = first         ! the next of a nonlinear solution
@@ -33,15 +34,16 @@ contains
       class(kept_factors_t), intent(inout) :: self
       logical, intent(in) :: may_keep
       self%system = first
+      self%may_keep = may_keep
       if (.not. may_keep) self%level = 0
       if (.not. may_keep) self%saved = 0
    end subroutine begin
 
-   !> Whether there are factors to be kept for a system of this level.
+   !> Whether there are factors that are kept for a system of this level.
    pure logical function serve(self, level)
       class(kept_factors_t), intent(in) :: self
       integer, intent(in) :: level
-      serve = self%level == level .and. self%saved(self%system) >= 0
+      serve = self%may_keep .and. self%level == level .and. self%saved(self%system) >= 0
    end function serve
 
    !> Operations of a solve to a reduction, beyond which the kept factors lose more than they may.

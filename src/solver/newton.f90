@@ -162,7 +162,7 @@ contains
             if (is_starved) forcing = min(forcing, starved_forcing)
             worth_before = worth
             if (.not. problem%rheology%is_newtonian()) before = state
-            call self%step%solve(levels, forcing, limits%keeps_factors, work_before + limits%largest_work, report)
+            call self%step%solve(levels, forcing, work_before + limits%largest_work, report)
             length = 1
             if (self%step%alternates(k)) length = 0.5_dp
             if (is_starved .and. k > 1) then   ! a meniscus that comes back nearer to the solution is no cycle

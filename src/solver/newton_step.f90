@@ -118,18 +118,17 @@ contains
 
    !> Newton direction in `change`. New factors cost 2.5 GMRES steps. They are kept for other steps while that saves
    !> work. Where new factors fail (incomplete ones can be unstable), they are made again with a stronger diagonal.
-   subroutine solve(self, levels, forcing, may_keep, largest_work, report)
+   subroutine solve(self, levels, forcing, largest_work, report)
       class(newton_step_t), intent(inout) :: self
       type(level_t), intent(in) :: levels(:)
       real(dp), intent(in) :: forcing
-      logical, intent(in) :: may_keep        !! the factors of an earlier step
       real(dp), intent(in) :: largest_work   !! on these levels, from which on no GMRES step begins
       type(solve_report_t), intent(inout) :: report
       real(dp) :: factors_end, start
       integer :: rung
 
       self%linear%largest_work = largest_work
-      if (may_keep .and. self%kept%serve(self%linear%finest)) then
+      if (self%kept%serve(self%linear%finest)) then
          start = work_of(levels)
          self%linear%largest_work = min(largest_work, start + self%kept%worth(forcing))
          call self%gmres%solve(self%linear, self%rhs, self%change, forcing)
