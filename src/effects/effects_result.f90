@@ -284,8 +284,7 @@ contains
       end do
    end function steepening
 
-   !> Add the errors by the solution of the effects to the errors of film and friction, and widen the errors of their
-   !> own results.
+   !> Add the errors by the solution of the effects to the errors of film and friction, and widen their own errors.
    subroutine add_own_errors(self, grid, result)
       class(effects_result_t), intent(inout), target :: self
       type(grid_t), intent(in) :: grid

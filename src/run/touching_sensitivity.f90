@@ -12,8 +12,8 @@ module ehlwave_touching_sensitivity
    use ehlwave_result_slopes, only: result_slope, smooth_results, take_results
    use ehlwave_sensitivity_case, only: all_variables, take_gradient
    use ehlwave_touching_account_result, only: state_of
-   use ehlwave_touching_gradient, only: speed_step, touching_gradient_t
-   use ehlwave_touching_newton, only: set_speed, touching_solver_t
+   use ehlwave_touching_gradient, only: touching_gradient_t
+   use ehlwave_touching_newton, only: set_speed, speed_step, touching_solver_t
    use ehlwave_touching_state, only: touching_state_t
    implicit none (type, external)
    private

@@ -7,13 +7,11 @@ module ehlwave_touching_gradient
    use ehlwave_real_gmres, only: gmres_t
    use ehlwave_touching_change, only: new_change, touching_change_t
    use ehlwave_touching_equations, only: touching_equations_t
-   use ehlwave_touching_newton, only: exact, residuals, set_speed, touching_solver_t
+   use ehlwave_touching_newton, only: exact, residuals, set_speed, speed_step, touching_solver_t
    use ehlwave_touching_state, only: new_touching_law, rough_at_rest, touching_law_t, touching_state_t
    use ehlwave_touching_transposed, only: touching_transposed_t
    implicit none (type, external)
    private
-
-   real(dp), parameter, public :: speed_step = 1e-5_dp   !! of ln(speed)
 
    type, public :: touching_gradient_t
       integer :: n = 0                                !! unknowns

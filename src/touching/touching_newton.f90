@@ -21,7 +21,7 @@ module ehlwave_touching_newton
    private
    public :: residuals, set_speed
 
-   real(dp), parameter :: small_speed_step = 1e-5_dp     !! of ln(speed), for its derivative
+   real(dp), parameter, public :: speed_step = 1e-5_dp   !! of ln(speed), for derivatives
    real(dp), parameter :: loose = 1e-2_dp             !! linear tolerance of marches,
    real(dp), parameter, public :: exact = 1e-8_dp     !! and of steady states
    integer, parameter :: largest_krylov = 150            !! linear steps of a solution
@@ -190,10 +190,10 @@ contains
       sides%by_speed = 0
       associate (problem => self%problem, equations => self%equations)
          do side = -1, 1, 2
-            call set_speed(problem, state%speed*exp(side*small_speed_step))
+            call set_speed(problem, state%speed*exp(side*speed_step))
             call equations%evaluate_flow(problem, state%p, state%h)
             call driven_flow(equations%mesh, equations%flow, driven)
-            sides%by_speed = sides%by_speed + side/(2*small_speed_step)*driven
+            sides%by_speed = sides%by_speed + side/(2*speed_step)*driven
          end do
          call set_speed(problem, state%speed)
          call equations%evaluate_flow(problem, state%p, state%h)

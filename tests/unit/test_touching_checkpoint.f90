@@ -28,7 +28,7 @@ program test_touching_checkpoint
 
 contains
 
-   !> Stop a march after some steps on the wider mesh, and go on; that of a line on its own mesh, too.
+   !> Stop a march after some steps on the wider mesh, and go on; the march of a line also on its own mesh.
    subroutine check_march(name, is_line)
       character(len=*), intent(in) :: name
       logical, intent(in) :: is_line
