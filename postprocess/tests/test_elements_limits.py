@@ -50,7 +50,7 @@ def test_preloaded_balls_under_both_loads_by_the_distance_of_the_groove_centres(
 def test_grooves_that_let_the_balls_past_are_refused_with_an_axial_load() -> None:
     zone = bearing(0.01).load_zone(radial_load_n=3000)
     assert float(zone.loads_at(0)[0]) == pytest.approx(3000, rel=1e-12)  # a single ball
-    with pytest.raises(ehlwave.SurfaceError, match="no hold along the axis: .* below 0.0012"):
+    with pytest.raises(ehlwave.SurfaceError, match=r"no hold along the axis: .* below 0\.0012"):
         bearing(0.01).load_zone(radial_load_n=3000, axial_load_n=10)
 
 

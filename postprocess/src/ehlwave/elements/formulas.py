@@ -70,7 +70,9 @@ FORMULAS = {
         "cams: spring force + rate x lift + mass x acceleration",
         "N",
     ),
-    "load_n_per_m": Entry("load per length, w", "N/mm", 1e-3, "W over the length of the line; gears: b/cos(beta_b)"),
+    "load_n_per_m": Entry(
+        "load per length, w", "N/mm", 1e-3, "W over the length of the line; gears: b/cos(beta_b)"
+    ),
     "semi_axis_a_m": _length(
         "Hertz semi-axis along rolling, a",
         "lines: a^2 = 8 w Rx/(pi E'), 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2; ellipses: Hertz",
