@@ -119,8 +119,8 @@ class BallBearing(RollingBearing):
         angle, clearance = math.radians(self.free_angle_deg), self.clearance_m
         if clearance >= 2 * distance:
             raise SurfaceError(
-                f"{type(self).__name__}: clearance_m = {clearance:g} leaves the rings no hold along the "
-                f"axis: with an axial load it must be below {2 * distance:.3g}"
+                f"{type(self).__name__}: clearance_m = {clearance:g} leaves the rings no hold "
+                f"along the axis: with an axial load it must be below {2 * distance:.3g}"
             )
         if clearance > 0:
             angle = math.acos(1 - clearance / (2 * distance))
