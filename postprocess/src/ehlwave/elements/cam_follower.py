@@ -157,6 +157,12 @@ class CamFollower(CamMotion):
                 f"{name}: the cam is hollow or pointed at {angle_deg:g} degrees, where a flat "
                 "follower does not touch it: raise base_radius_m"
             )
+        if self.roller_radius_m is not None and -self.roller_radius_m < radius <= 0:
+            raise SurfaceError(
+                f"{name}: the roller cuts the cam's flank off at {angle_deg:g} degrees: its path "
+                f"has a radius of {radius + self.roller_radius_m:.3g} m there: lower "
+                "roller_radius_m or raise base_radius_m"
+            )
         first, second = self.surface_speeds_m_per_s(angle_deg, speed)
         follower = FLAT if self.roller_radius_m is None else self.roller_radius_m
         return ElementContact(
