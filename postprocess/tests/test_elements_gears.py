@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+import xarray as xr
 from scipy.integrate import trapezoid
 
 import ehlwave
@@ -159,6 +160,32 @@ def test_helical_contact_lines_bear_the_normal_force() -> None:
     )
     lines = shape.contact_ratio * 0.06 / math.cos(shape.base_helix_rad)
     assert place.load_n_per_m * lines == pytest.approx(gears.normal_load_n(150), rel=EXACT)
+    assert place.load_n * shape.contact_ratio == pytest.approx(gears.normal_load_n(150), rel=EXACT)
+
+
+def test_helical_power_is_the_sum_over_all_contact_lines() -> None:
+    """Friction 1: force times sliding speed over slices of the face, whose mesh is staggered."""
+    gears = HelicalGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.06, helix_angle_deg=25)
+    assert gears.overlap_ratio > 1
+    shape, turn = gears.geometry, 1500 * 2 * math.pi / 60
+    first, last = shape.path_m
+    lines = shape.contact_ratio * 0.06 / math.cos(shape.base_helix_rad)
+    z = 0.06 * (np.arange(400) + 0.5) / 400
+    powers = []
+    for phase in (np.arange(50) + 0.5) / 50:
+        at = phase * shape.base_pitch_m + z * math.tan(shape.base_helix_rad)
+        s = (at[:, None] + shape.base_pitch_m * np.arange(-20, 20)).ravel()
+        s = s[(s > first) & (s < last)]
+        slide = np.abs(turn * s - turn / 2 * (shape.action_m - s))
+        slice_m = 0.06 / 400 / math.cos(shape.base_helix_rad)
+        powers.append(float((gears.normal_load_n(150) / lines * slice_m * slide).sum()))
+    s = np.linspace(first, last, 9)
+    found = xr.Dataset(
+        {name: ("distance_m", np.ones(9)) for name in ("friction", "rolling_resistance_n")},
+        {"distance_m": s},
+    )
+    sliding, _ = gears._powers_w(found, 150, 1500, 1.0)
+    assert sliding == pytest.approx(np.mean(powers), rel=1e-3)
 
 
 @pytest.mark.parametrize(
@@ -169,6 +196,7 @@ def test_helical_contact_lines_bear_the_normal_force() -> None:
         ({"centre_distance_m": 0.0965}, "contact ratio"),
         ({"module_m": 0}, "module_m = 0 must be above 0"),
         ({"teeth": 20.5}, "whole number"),
+        ({"teeth": (20, -60)}, "internal gears are not covered"),
     ],
 )
 def test_wrong_gears_are_refused_by_name(changed: dict[str, object], said: str) -> None:
