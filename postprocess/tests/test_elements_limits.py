@@ -7,8 +7,9 @@ import pytest
 from scipy.optimize import fsolve
 
 import ehlwave
-from ehlwave.elements import CamFollower, DeepGrooveBallBearing, TwoDisc
+from ehlwave.elements import CamFollower, DeepGrooveBallBearing, TwoDisc, case_table
 from ehlwave.elements.load_zone import EDGE
+from ehlwave.elements.place import ElementContact
 
 OIL = ehlwave.Oil.from_grade(iso_vg=68, viscosity_index=95, temperature_k=343.15)
 
@@ -121,3 +122,19 @@ def test_a_roller_too_large_for_the_nose_of_the_cam_is_refused() -> None:
         cam.contact_at(170.0, **given)
     assert radius[158] < 0  # hollow: the flank touches the roller
     assert cam.contact_at(158.0, **given).radius_x_m > 0
+
+
+def test_round_off_of_a_lift_table_does_not_turn_a_surface_round() -> None:
+    bodies = (ehlwave.Body(0.02, material="steel"), ehlwave.Body(material="steel"))
+    rest, noise, back = (
+        ElementContact(bodies, OIL, (1.9, second), 250.0, length_m=0.012)
+        for second in (0.0, -3e-5, -3e-3)
+    )
+    assert noise.contact.film(by="laws").central_m == pytest.approx(
+        rest.contact.film(by="laws").central_m, rel=1e-4
+    )
+    assert case_table([noise])["slip_parameter"].tolist() == [2.0]
+    assert (noise.is_opposite, back.is_opposite) == (False, True)
+    with pytest.raises(ehlwave.RangeError, match="opposite directions"):
+        _ = back.contact
+    assert case_table([back]).empty

@@ -69,8 +69,7 @@ def by_laws(number: int, _folder: Path) -> Row:
     kind, drawn = places(number)
     found = []
     for index, place in enumerate(drawn):
-        first, second = place.speeds_m_per_s
-        if first * second < 0 or first + second == 0:
+        if place.is_opposite or place.mean_speed_m_per_s == 0:
             continue  # surfaces move in opposite directions: the element names these angles
         found.append({"place": index} | answer(place, "laws"))
     return {"kind": kind, "places": found}

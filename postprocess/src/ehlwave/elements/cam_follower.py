@@ -224,7 +224,7 @@ class CamFollower(CamMotion):
         angles = [place.angle_deg for place in places]
         found = table_of(places, questions, "angle_deg", {"angle_deg": angles})
         found["angle_deg"].attrs |= {"units": "degree", "long_name": "angle of the cam"}
-        opposite = [p.angle_deg for p in places if p.speeds_m_per_s[0] * p.speeds_m_per_s[1] < 0]
+        opposite = [place.angle_deg for place in places if place.is_opposite]
         reversals = self.reversals_deg()
         found.attrs |= {
             "element": type(self).__name__,
