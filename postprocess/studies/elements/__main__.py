@@ -70,9 +70,8 @@ def summary(rows: Sequence[Row], computed: Mapping[int, Answer]) -> list[Row]:
 
     The latter is the share of those elements whose refused contacts have all been computed.
     """
-    return [
-        _shares(kind, [row for row in rows if row["kind"] == kind], computed) for kind in KINDS
-    ]
+    kinds = {kind: [row for row in rows if row["kind"] == kind] for kind in KINDS}
+    return [_shares(kind, own, computed) for kind, own in kinds.items() if own]
 
 
 def _shares(kind: str, rows: Sequence[Row], computed: Mapping[int, Answer]) -> Row:
