@@ -151,6 +151,8 @@ class InputGradients(TestCase):
         self.assertIn(result["status"], ("converged", "unresolved"))
         lengths = "load_n" in groups["conditions"] or "load_n_per_m" in groups["conditions"]
         keys = [name.removeprefix("sensitivity_central_film_") for name in result if name.startswith("sensitivity_central_film_")]
+        if not IS_LONG:   # every other key, another half in the next draw
+            keys = sorted(keys)[number % 2::2]
         count, worst = 0, 0
         for key in keys:
             if key == "slide_to_roll_ratio" or (key == "slip_parameter" and key not in groups["conditions"]):

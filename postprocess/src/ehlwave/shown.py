@@ -4,6 +4,9 @@ import re
 from collections.abc import Mapping
 from html import escape
 
+PLAIN = 0.995
+"""Share from which two digits would be an exponent."""
+
 
 def html_table(title: str, rows: Mapping[str, str]) -> str:
     """Return a title and rows of names and texts as HTML."""
@@ -42,7 +45,12 @@ def micrometres(length_m: float | None) -> str:
     return "not known" if length_m is None else f"{length_m * 1e6:.4g} um"
 
 
+def percent(share: float) -> str:
+    """Return a share with two digits, from 100 % on without a fraction: "3.4 %", "115 %"."""
+    return f"{100 * share:.2g} %" if abs(share) < PLAIN else f"{100 * share:.0f} %"
+
+
 def within(value: float, error: float | None, unit: str = "") -> str:
     """Return a number with its relative error, where it is known."""
     said = f"{value:.4g}{unit}"
-    return said if error is None else f"{said} within {100 * error:.2g} %"
+    return said if error is None else f"{said} within {percent(error)}"

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 STEEL, EDGE, INK = "0.86", "0.35", "#14405c"
+LETTER_POINTS, SLANT = 4.0, 0.2
+"""Distance of a letter from its arrow, points; arrows with a smaller rise of their normal are
+upright."""
 
 
 def drawing_svg(element: str) -> str:
@@ -67,10 +70,20 @@ def _arrow(
     ends: str = "<->",
     at: float = 0.5,
 ) -> None:
-    """Draw a dimension or an arrow with its letter at a share of its way."""
+    """Draw a dimension or an arrow with its letter beside it, at a share of its way."""
     axes.annotate("", end, start, arrowprops={"arrowstyle": ends, "color": INK, "lw": 1.0})
-    place = np.asarray(start) + at * (np.asarray(end) - np.asarray(start))
-    axes.text(place[0], place[1], f" {text} ", color=INK, ha="left", va="bottom")
+    way = np.asarray(end, dtype=float) - np.asarray(start)
+    x, y = np.array([-way[1], way[0]]) / np.hypot(*way)  # beside it: above, or to the right
+    side = -1 if y < -SLANT or (y < SLANT and x < 0) else 1
+    axes.annotate(
+        text,
+        np.asarray(start) + at * way,
+        (LETTER_POINTS * side * x, LETTER_POINTS * side * y),
+        textcoords="offset points",
+        color=INK,
+        ha="center" if abs(x) < 0.5 else "left" if side * x > 0 else "right",
+        va="bottom" if abs(y) > 0.5 else "center",
+    )
 
 
 def _bearing(axes: Axes, *, is_roller: bool = False, angle: float = 0.0) -> None:
@@ -86,12 +99,12 @@ def _bearing(axes: Axes, *, is_roller: bool = False, angle: float = 0.0) -> None
         if load > 0.05:
             start = np.array([math.cos(turn), math.sin(turn)]) * 4.4
             _arrow(axes, start * (1 + 0.28 * load), start, "", ends="->")
-    _arrow(axes, (-0.9, 1.3), (-0.9, -1.2), "F_r", ends="->", at=0.35)
-    _arrow(axes, (-pitch, 1.95), (pitch, 1.95), "", at=0.5)
-    axes.text(-0.3, 2.0, "d_m", color=INK)
+    _arrow(axes, (0, 1.5), (0, 0.1), "F_r", ends="->", at=0.3)
+    _disc(axes, 0, 0, pitch, facecolor="none", ls="--", lw=0.8)
+    _arrow(axes, (-pitch, 0), (pitch, 0), "d_m", at=0.62)
     axes.text(0.35, -5.9, "Q at angle 0", color=INK)
     axes.plot([0, 3.6 * math.sin(0.7)], [0, -3.6 * math.cos(0.7)], ":", color=INK, lw=0.9)
-    axes.text(0.55, -2.3, "angle", color=INK)
+    axes.text(0.15, -1.2, "angle", color=INK)
     x = 8.6
     if is_roller:
         _section_of_roller(axes, x, angle)
@@ -172,9 +185,7 @@ def _gear(axes: Axes, *, is_helical: bool = False) -> None:
         _arrow(axes, centre, tip, name, ends="->", at=0.5)
     _arrow(axes, (0.0, -1.4), (6.0, -1.4), "centre distance a", at=0.35)
     if is_helical:
-        axes.text(
-            1.9,
-            -1.68,
+        axes.set_title(
             "section normal to the axes; radii normal to the flanks: over cos(beta_b)",
             color=INK,
             fontsize=8,
@@ -206,10 +217,10 @@ def _cam(axes: Axes) -> None:
     axes.add_patch(Rectangle((-0.3, top + 0.35), 0.6, 1.1, facecolor="0.95", edgecolor=EDGE))
     axes.plot(aside, top, "o", color=INK, ms=4)
     curvature = base + lift(at) + lift(at, 2)
-    _arrow(axes, (aside, top - curvature), (aside, top), "rho = r_b + l + l''", ends="->", at=0.35)
+    _arrow(axes, (aside, top - curvature), (aside, top), "rho = r_b + l + l''", ends="->", at=0.6)
     _arrow(axes, (-2.5, 0), (-2.5, base), "r_b", at=0.5)
     _arrow(axes, (-2.5, base), (-2.5, top), "l", at=0.5)
-    _arrow(axes, (0, -0.25), (aside, -0.25), "l'", at=0.9)
+    _arrow(axes, (0, 0.3), (aside, 0.3), "l'", ends="->")
     _arrow(axes, (0, top + 2.3), (0, top + 1.5), "load", ends="->", at=0.2)
     axes.text(
         2.2, top - 0.2, "speeds past the contact:\ncam omega rho, follower omega l''", color=INK
