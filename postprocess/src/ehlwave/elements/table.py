@@ -12,6 +12,7 @@ from ehlwave.elements.answers import Questions, Row, row_of
 from ehlwave.elements.columns import COLUMNS, TEXTS
 from ehlwave.elements.formulas import FORMULAS, written
 from ehlwave.elements.place import ElementContact
+from ehlwave.shown import percent
 
 WORST = {
     "minimum_film_m": ("thinnest film", min, 1e6, "um"),
@@ -20,7 +21,7 @@ WORST = {
     "isothermal_lambda_ratio": ("smallest lambda ratio without heat", min, 1.0, ""),
     "hertz_pressure_pa": ("highest Hertz pressure", max, 1e-9, "GPa"),
     "friction": ("largest friction", max, 1.0, ""),
-    "rise_mid_film_k": ("hottest film", max, 1.0, "K"),
+    "rise_mid_film_k": ("largest temperature rise mid-film", max, 1.0, "K"),
     "dang_van": ("largest factor of Dang Van", max, 1.0, ""),
 }
 """Worst value of a column: words, how it is found, factor and unit of the text."""
@@ -109,7 +110,7 @@ def _within(table: xr.Dataset, name: str, index: Any) -> str:  # noqa: ANN401
     """Return the relative error of a value in words, where it is known."""
     found = table.get(ERRORS.get(name, ""))
     share = float("nan") if found is None else float(found.isel(index))
-    return f" within {100 * share:.2g} %" if np.isfinite(share) else ""
+    return f" within {percent(share)}" if np.isfinite(share) else ""
 
 
 def unanswered(table: xr.Dataset) -> int:
