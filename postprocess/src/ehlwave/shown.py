@@ -42,7 +42,12 @@ def micrometres(length_m: float | None) -> str:
     return "not known" if length_m is None else f"{length_m * 1e6:.4g} um"
 
 
+def percent(share: float) -> str:
+    """Return a share of 1 in percent with two digits, never with an exponent below 1e15."""
+    return f"{float(f'{100 * share:.2g}'):.15g} %"
+
+
 def within(value: float, error: float | None, unit: str = "") -> str:
     """Return a number with its relative error, where it is known."""
     said = f"{value:.4g}{unit}"
-    return said if error is None else f"{said} within {100 * error:.2g} %"
+    return said if error is None else f"{said} within {percent(error)}"

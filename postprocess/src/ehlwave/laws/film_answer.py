@@ -17,6 +17,7 @@ from ehlwave.laws.rigid_lines import SOURCE as RIGID
 from ehlwave.laws.rigid_lines import is_rigid, rigid_film
 from ehlwave.laws.rolling_resistance import rolling_of
 from ehlwave.laws.starved_transfer import check_starved
+from ehlwave.shown import percent
 
 
 def film_of(
@@ -109,6 +110,6 @@ def with_film(conditions: Conditions, film: Film) -> Conditions:
     return replace(
         conditions,
         central_film_m=film.central_m,
-        film_source=f"{film.source}, within {100 * film.central_error:.2g} %",
+        film_source=f"{film.source}, within {percent(film.central_error)}",
         central_film_error=film.central_error,
     )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
 from ehlwave.laws.inlet_warming import inlet_warming
+from ehlwave.shown import percent
 
 if TYPE_CHECKING:
     from ehlwave.laws.answers import Film
@@ -36,7 +37,7 @@ def notices_of(asked: Asked, film: Film) -> list[str]:
         "friction": film.friction_error,
     }
     large = [
-        f"{name} within {100 * error:.2g} %"
+        f"{name} within {percent(error)}"
         for name, error in errors.items()
         if error is not None and error > LARGE_ERROR
     ]
@@ -55,7 +56,7 @@ def _inlet(asked: Asked, film: Film) -> list[str]:
         return []
     if warming.loss <= LEAST_LOSS:
         return []
-    size = f"{100 * warming.loss:.2g} % thinner"
+    size = f"{percent(warming.loss)} thinner"
     if warming.error is not None:
         size += f" (within {100 * warming.error:.1g} %)"
     else:

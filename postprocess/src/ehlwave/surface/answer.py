@@ -4,6 +4,7 @@ import math
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from ehlwave.shown import percent
 from ehlwave.surface.pair import PairStatistics
 from ehlwave.surface.statistics import FilmStatistics
 
@@ -64,7 +65,7 @@ class Answer:
         error = "error not known"
         if self.lambda_error is not None:
             error = (
-                f"within {100 * self.lambda_error:.2g} %"
+                f"within {percent(self.lambda_error)}"
                 if self.lambda_error < 1
                 else "no better than an order of magnitude"
             )
