@@ -74,6 +74,7 @@ def _calibrate(options: argparse.Namespace) -> int:
     option("--elements", "COUNT", "of each kind (default 200)", 200),
     option("--contacts", "COUNT", "of each kind to compare with ehlwave-case (default 10)", 10),
     option("--computed", "COUNT", "most contacts to compute that no law answers (default: all)"),
+    flag("--report", "compute nothing more: report what has been computed"),
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
 )
 def elements(options: argparse.Namespace) -> int:
@@ -90,7 +91,7 @@ def elements(options: argparse.Namespace) -> int:
     """
     steps.prepare(options.program)
     words = given(options, "output", "elements", "contacts", "computed")
-    return steps.report("elements", *words)
+    return steps.report("elements", *words, *(["--report"] if options.report else []))
 
 
 @study("jacobian")
