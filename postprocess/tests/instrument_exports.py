@@ -101,6 +101,25 @@ PROFILES = {
 }
 """Texts by their makers; each states units and steps, and is to be read without a question."""
 
+_LANGUAGES = {
+    "chinese": "时间(s);距离(mm);轮廓高度(μm)",
+    "czech": "Čas [s];Délka [mm];Výška [µm]",
+    "danish": "Tid [s];Strækning [mm];Højde [µm]",
+    "dutch": "Tijd [s];Afstand [mm];Hoogte [µm]",
+    "finnish": "Aika [s];Matka [mm];Korkeus [µm]",
+    "hungarian": "Idő [s];Távolság [mm];Magasság [µm]",
+    "korean": "번호;거리(mm);높이(µm)",
+    "polish": "Czas;Droga [mm];Wysokość [µm]",
+    "portuguese": "Tempo (s);Distância (mm);Altura (µm)",
+    "russian": "Время [сек];Длина [мм];Высота [мкм]",
+    "swedish": "Tid [s];Sträcka [mm];Höjd [µm]",
+    "turkish": "Zaman [s];Mesafe [mm];Yükseklik [µm]",
+}
+PROFILES |= {
+    name: f"{heading}\n" + _columns(_T, _X_MM, Z_UM, sep=";", mark=",")
+    for name, heading in _LANGUAGES.items()
+}
+
 MAPS = {
     "keyence-vk": '"XY Calibration","0.500","um"\n"Unit","um"\n"Height"\n'
     + _matrix(style='"{:.7g}"'),

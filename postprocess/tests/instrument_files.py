@@ -42,10 +42,10 @@ def gwyddion(channels: Mapping[str, np.ndarray]) -> bytes:
     return b"GWYP" + _gwy_object("GwyContainer", content)
 
 
-def x3p(folder: str = "") -> bytes:
+def x3p(folder: str = "", step: float = STEP_M) -> bytes:
     """Return an X3P file, its parts in a folder of the archive."""
     axis = "<AxisType>I</AxisType><DataType>D</DataType>"
-    places = f"{axis}<Increment>{STEP_M}</Increment><Offset>0</Offset>"
+    places = f"{axis}<Increment>{step}</Increment><Offset>0</Offset>"
     main = (
         '<?xml version="1.0" encoding="UTF-8"?>'
         '<p:ISO5436_2 xmlns:p="http://www.opengps.eu/2008/ISO5436_2"><Record1>'
@@ -73,6 +73,16 @@ def sdf(magic: str) -> bytes:
     )
     rows = "\n".join(" ".join(f"{1e9 * cell:.9g}" for cell in row) for row in HEIGHT_M)
     return f"{head}{rows}\n*\n".encode()
+
+
+def metropro(lateral: float) -> bytes:
+    """Return a file of MetroPro with a lateral resolution of `lateral` m; 0: not calibrated."""
+    head = bytearray(834)
+    head[0:10] = struct.pack(">4sHI", b"\x88\x1b\x03\x6f", 1, len(head))
+    head[68:72] = struct.pack(">2H", NX, NY)
+    head[164:188] = struct.pack(">6f", 1, 633e-9, 0.5, 1, 20, lateral)
+    head[218:220] = struct.pack(">h", 2)
+    return bytes(head) + np.rint(HEIGHT_M / 633e-9 * 2**17).astype(">i4").tobytes()
 
 
 def nanofocus(step: float) -> bytes:

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+import xarray as xr
 from scipy.integrate import trapezoid
 
 import ehlwave
@@ -130,6 +131,35 @@ def test_power_is_the_integral_of_the_moment_over_a_mesh() -> None:
     )
 
 
+def test_profile_shifted_spur_gears_of_a_published_table() -> None:
+    """Bolsover, "Profile Shifted External Spur Gears", by the centre distance."""
+    shape = SpurGearPair(
+        module_m=0.003,
+        teeth=(12, 24),
+        face_width_m=0.03,
+        profile_shift=(0.6, 0.36),
+        centre_distance_m=0.0565,
+    ).geometry
+    assert math.degrees(shape.working_angle_rad) == pytest.approx(26.0888, abs=6e-5)
+    bases = [2e3 * radius for radius in shape.base_radii_m]
+    assert bases == pytest.approx([33.8289, 67.6579], abs=6e-5)
+    tips = [2e3 * radius for radius in shape.tip_radii_m]
+    assert tips == pytest.approx([44.840, 79.400], abs=6e-4)
+    assert shape.contact_ratio == pytest.approx(1.202, abs=6e-4)
+
+
+def test_profile_shifted_helical_gears_of_a_published_table() -> None:
+    """A worksheet of ISO 21771 on scribd.com, document 376176518: both ways to the distance."""
+    own = {"module_m": 0.0035, "teeth": (31, 30), "face_width_m": 0.03, "helix_angle_deg": 21.0}
+    shifts = (0.291, 0.651877131252 - 0.291)
+    shape = HelicalGearPair(**own, profile_shift=shifts).geometry  # type: ignore[arg-type]
+    assert 1e3 * shape.working_distance_m == pytest.approx(116.5, abs=1e-6)
+    by_distance = HelicalGearPair(**own, profile_shift=shifts, centre_distance_m=0.1165)  # type: ignore[arg-type]
+    for one in (shape, by_distance.geometry):
+        assert math.degrees(one.transverse_angle_rad) == pytest.approx(21.2990642859, abs=1e-9)
+        assert math.degrees(one.working_angle_rad) == pytest.approx(23.8707609654, abs=1e-6)
+
+
 def test_helical_radii_by_the_section_normal_to_the_flank() -> None:
     """The normal curvature of an involute helicoid is 1/s times cos^2 of the angle to the base."""
     gears = HelicalGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.03, helix_angle_deg=20)
@@ -159,6 +189,32 @@ def test_helical_contact_lines_bear_the_normal_force() -> None:
     )
     lines = shape.contact_ratio * 0.06 / math.cos(shape.base_helix_rad)
     assert place.load_n_per_m * lines == pytest.approx(gears.normal_load_n(150), rel=EXACT)
+    assert place.load_n * shape.contact_ratio == pytest.approx(gears.normal_load_n(150), rel=EXACT)
+
+
+def test_helical_power_is_the_sum_over_all_contact_lines() -> None:
+    """Friction 1: force times sliding speed over slices of the face, whose mesh is staggered."""
+    gears = HelicalGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.06, helix_angle_deg=25)
+    assert gears.overlap_ratio > 1
+    shape, turn = gears.geometry, 1500 * 2 * math.pi / 60
+    first, last = shape.path_m
+    lines = shape.contact_ratio * 0.06 / math.cos(shape.base_helix_rad)
+    z = 0.06 * (np.arange(400) + 0.5) / 400
+    powers = []
+    for phase in (np.arange(50) + 0.5) / 50:
+        at = phase * shape.base_pitch_m + z * math.tan(shape.base_helix_rad)
+        s = (at[:, None] + shape.base_pitch_m * np.arange(-20, 20)).ravel()
+        s = s[(s > first) & (s < last)]
+        slide = np.abs(turn * s - turn / 2 * (shape.action_m - s))
+        slice_m = 0.06 / 400 / math.cos(shape.base_helix_rad)
+        powers.append(float((gears.normal_load_n(150) / lines * slice_m * slide).sum()))
+    s = np.linspace(first, last, 9)
+    found = xr.Dataset(
+        {name: ("distance_m", np.ones(9)) for name in ("friction", "rolling_resistance_n")},
+        {"distance_m": s},
+    )
+    sliding, _ = gears._powers_w(found, 150, 1500, 1.0)
+    assert sliding == pytest.approx(np.mean(powers), rel=1e-3)
 
 
 @pytest.mark.parametrize(
@@ -169,6 +225,7 @@ def test_helical_contact_lines_bear_the_normal_force() -> None:
         ({"centre_distance_m": 0.0965}, "contact ratio"),
         ({"module_m": 0}, "module_m = 0 must be above 0"),
         ({"teeth": 20.5}, "whole number"),
+        ({"teeth": (20, -60)}, "internal gears are not covered"),
     ],
 )
 def test_wrong_gears_are_refused_by_name(changed: dict[str, object], said: str) -> None:

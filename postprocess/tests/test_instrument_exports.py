@@ -9,7 +9,7 @@ from instrument_exports import MAP_UM, MAPS, PROFILES, STEP_UM, Z_UM
 from ehlwave.surface import read_surface
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-16"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16", "utf-16-be"])
 @pytest.mark.parametrize("maker", PROFILES)
 def test_profiles(tmp_path: Path, maker: str, encoding: str) -> None:
     (tmp_path / "t.csv").write_text(PROFILES[maker], encoding=encoding)

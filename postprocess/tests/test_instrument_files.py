@@ -1,10 +1,23 @@
 """Files of instruments: known by content, with their units, channels and reasons."""
 
+import io
+import zipfile
 from pathlib import Path
 
 import numpy as np
 import pytest
-from instrument_files import HEIGHT_M, NX, NY, STEP_M, X, gwyddion, nanofocus, sdf, x3p
+from instrument_files import (
+    HEIGHT_M,
+    NX,
+    NY,
+    STEP_M,
+    X,
+    gwyddion,
+    metropro,
+    nanofocus,
+    sdf,
+    x3p,
+)
 
 from ehlwave.cli import main
 from ehlwave.errors import SurfaceError
@@ -61,9 +74,14 @@ def test_the_height_channel_is_chosen_or_asked(
     assert main(["surface", str(path), "--output", str(tmp_path / "s.h5")]) == 2
     assert "choose by --channel" in capsys.readouterr().err
     assert_read(read_surface(path, ReadOptions(channel="height trace")))
-    path = write(tmp_path, "c.gwy", gwyddion({"Amplitude": other}))
-    with pytest.raises(SurfaceError, match="which channel holds the heights"):
-        read_surface(path)
+    for name in ("Amplitude", "FFT of Height", "Background of Height", "Height difference"):
+        path = write(tmp_path, "c.gwy", gwyddion({name: other}))
+        with pytest.raises(SurfaceError, match="which channel holds the heights"):
+            read_surface(path)
+    path = write(
+        tmp_path, "d.gwy", gwyddion({"AmplitudeRetrace": other, "ZSensorRetrace": HEIGHT_M})
+    )
+    assert_read(read_surface(path))
 
 
 def test_sizes_that_no_surface_has_are_refused_until_the_step_is_said(tmp_path: Path) -> None:
@@ -77,6 +95,45 @@ def test_sizes_that_no_surface_has_are_refused_until_the_step_is_said(tmp_path: 
     np.testing.assert_allclose(found.height, HEIGHT_M.T, atol=1e-11)
 
 
+@pytest.mark.parametrize("step", [0.0, -1.0])
+def test_steps_that_a_file_lacks_are_asked(tmp_path: Path, step: float) -> None:
+    path = write(tmp_path, "a.dat", metropro(step))
+    # The second text is with SurfaceTopography 1.23.
+    lacks = r"has no positions: give the sampling step by|states a step of (0|-1e\+06) um"
+    with pytest.raises(SurfaceError, match=lacks):
+        read_surface(path)
+    said = ReadOptions(length_unit="um", step=1.0)
+    np.testing.assert_allclose(read_surface(path, said).height, HEIGHT_M.T, atol=3e-12)
+    path = write(tmp_path, "a.x3p", x3p(step=step))
+    with pytest.raises(SurfaceError, match=r"states a step of (0|-1e\+06) um.*give the right step"):
+        read_surface(path)
+    assert_read(read_surface(path, said))
+
+
+def in_archive(names: dict[str, str], data: bytes) -> bytes:
+    """Return an X3P file with other names of its parts."""
+    made = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(made, "w") as new:
+        for name, inside in names.items():
+            new.writestr(inside, old.read(name) if name in old.namelist() else b"")
+    return made.getvalue()
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        ("./main.xml", "./bindata/data.bin", "md5checksum.hex"),
+        ("main.xml", "bindata\\data.bin", "__MACOSX/main.xml"),
+        ("my\\main.xml", "my\\bindata\\data.bin", "my\\md5checksum.hex"),
+        ("My part/Main.XML", "My part/bindata/data.bin", "__MACOSX/My part/main.xml"),
+    ],
+)
+def test_names_within_an_x3p(tmp_path: Path, names: tuple[str, str, str]) -> None:
+    parts = ("main.xml", "bindata/data.bin", "other")
+    data = in_archive(dict(zip(parts, names, strict=True)), x3p())
+    assert_read(read_surface(write(tmp_path, "a.x3p", data)))
+
+
 def test_formats_are_known_by_content(tmp_path: Path) -> None:
     for name, data in {
         "a.x3p": x3p(),
@@ -84,6 +141,7 @@ def test_formats_are_known_by_content(tmp_path: Path) -> None:
         "c.dat": x3p(),
         "d.sdf": sdf("aISO-1.0"),
         "e.sdf": sdf("aBCR-1.0"),
+        "i.sdf": sdf("aNM-2"),
         "f.txt": sdf("aISO-1.0"),
         "g.csv": gwyddion({"Height": HEIGHT_M}),
     }.items():

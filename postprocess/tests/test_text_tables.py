@@ -50,6 +50,9 @@ TIME, ROW, CONSTANT = 0.02 * np.arange(COUNT), np.arange(COUNT) + 1, np.ones(COU
         ("# X [mm];Z [um]", (X_MM, Z_UM)),
         ("X [mm];Y [mm];Z [um]", (X_MM, CONSTANT, Z_UM)),
         ("Lateral mm;Raw Micrometer", (X_MM, Z_UM)),
+        ("X [mm];Z setpoint [um];Z [um];Z err [um]", (X_MM, CONSTANT, Z_UM, CONSTANT)),
+        ("MesswertZ [um];PositionX [mm]", (Z_UM, X_MM)),
+        ("T [degC];X [mm];Z [um]", (TIME, X_MM, Z_UM)),
     ],
 )
 def test_columns_are_chosen_by_words_and_units(
@@ -95,6 +98,16 @@ def test_an_oblique_profile_has_its_own_length(tmp_path: Path) -> None:
     found = read(tmp_path, "X [mm];Y [mm];Z [um]\n" + table(X_MM, 2 * X_MM, Z_UM))
     assert_trace(found, step_um=np.sqrt(5))
     assert "oblique profile" in " ".join(found.notes)
+    # Against an axis, and across it by less than the file resolves.
+    for x, y in ((-3 * X_MM, CONSTANT), (CONSTANT, -3 * X_MM), (3 * X_MM, 1e-5 * np.round(TIME))):
+        for heading, columns in (
+            ("X [mm];Y [mm];Z [um]", (x, y, Z_UM)),
+            ("Z [um];Y [mm];X [mm]", (Z_UM, y, x)),
+        ):
+            assert_trace(read(tmp_path, f"{heading}\n" + table(*columns)), step_um=3)
+    bent = np.abs(X_MM - X_MM[20])
+    with pytest.raises(SurfaceError, match="neither a grid nor equidistant on a line"):
+        read(tmp_path, "X [mm];Y [mm];Z [um]\n" + table(X_MM, bent, Z_UM))
     scattered = np.random.default_rng(1).random(COUNT)
     with pytest.raises(SurfaceError, match="neither a grid nor equidistant on a line"):
         read(tmp_path, "X [mm];Y [mm];Z [um]\n" + table(X_MM, scattered, Z_UM))

@@ -1,19 +1,17 @@
 """A store of which a file is lost, cut short or of another store: the numbers of before, or a reason; never other physics."""
 
-import os
 import shutil
 import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import IS_LONG, ONE_RANK, namelist, run
+from ehlwave_program import IS_LONG, namelist, run
 from hdf5_reading import read
 
 REFUSED, UNFINISHED = 2, 85
 SWEEP = {"sweep": {"load_parameter_m": [20, 25, 30], "lubricant_parameter_l": 5, "radius_ratio_d": 1, "output": "r.h5"},
          "grid": {"cells_x": 16, "cells_y": 16}, "output": {"fields": True}}
 TRUNCATED = {**SWEEP, "grid": {**SWEEP["grid"], "edges": "truncated"}}
-os.environ.update(ONE_RANK)
 
 
 class LostFiles(unittest.TestCase):

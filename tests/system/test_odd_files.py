@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 from attack import LONGEST_S, REFUSED, attack
-from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, FolderTest, mpi_command, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, FolderTest, environment, mpi_command, namelist
 from hdf5_reading import read
 from store_reading import finished
 
@@ -167,7 +167,7 @@ class OddFiles(FolderTest):
         reading, writing = os.pipe()
         os.close(reading)
         process = subprocess.Popen([os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=self.folder, stdout=writing,
-                                   stderr=subprocess.DEVNULL, env={**os.environ, **MPI_ENVIRONMENT})
+                                   stderr=subprocess.DEVNULL, env=environment(0))
         os.close(writing)
         self.assertEqual(process.wait(timeout=HANGS_S), 0)
         self.assertEqual(len(finished(self.folder/"results.store")), 3)

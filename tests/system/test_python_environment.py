@@ -77,6 +77,14 @@ class PythonEnvironment(FolderTest):
         self.run_bash("scripts/python-environment")
         self.assertFalse((self.venv/"kept").exists())
 
+    def test_oldest_and_newest_of_a_named_python(self):
+        named = self.folder/"named"
+        named.write_text(f"#!/bin/sh\necho \"$*\" >>'{self.folder}/calls'\nexit 1\n")
+        named.chmod(0o755)
+        for option in ["--oldest", "--newest"]:
+            self.run_bash(f"scripts/python-environment {option}", EHLWAVE_PYTHON=str(named))
+            self.assertIn(f"-m venv {self.venv}{option[1:]}\n", (self.folder/"calls").read_text())
+
     @unittest.skipUnless(os.getuid() == 0, "only root can give files away")
     def test_environment_of_another_user(self):
         self.somebodys(self.venv)

@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, FolderTest, mpi_command, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, FolderTest, environment, mpi_command, namelist
 from store_reading import finished
 
 TABLE = """load_parameter_m,radius_ratio_d,orientation,wavelength_over_a,response,slip_parameter,method,end_time
@@ -55,7 +55,7 @@ class SmallSweep(FolderTest):
         self.assertEqual(len(finished(self.folder/"results.store")), CASES)
         for option in ("--status", "--plan"):
             outcome = subprocess.run([os.environ["EHLWAVE_SWEEP"], option, "results.h5" if option == "--status" else "sweep.nml"],
-                                     cwd=self.folder, env={**os.environ, **MPI_ENVIRONMENT}, capture_output=True, text=True,
+                                     cwd=self.folder, env=environment(0), capture_output=True, text=True,
                                      check=False)
             self.check_status(outcome)
             self.assertNotRegex(outcome.stdout + outcome.stderr, COMPLAINTS)

@@ -11,7 +11,7 @@ import time
 import unittest
 from pathlib import Path
 
-from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, VERSION, FolderTest, is_open_mpi, mpi_command, namelist, run
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, VERSION, FolderTest, environment, is_open_mpi, mpi_command, namelist, run
 from hdf5_reading import h5py, read
 from store_reading import count_records, finished
 from torture import CIRCUMSTANCES
@@ -51,7 +51,7 @@ class SweepResume(FolderTest):
         command = [os.environ["EHLWAVE_SWEEP"], "sweep.nml", *arguments]
         if ranks:
             command = [*mpi_command(ranks), *command]
-        process = subprocess.Popen(command, cwd=self.folder, env={**os.environ, **MPI_ENVIRONMENT},
+        process = subprocess.Popen(command, cwd=self.folder, env=environment(ranks),
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.addCleanup(process.kill)
         self.addCleanup(process.stdout.close)
@@ -416,10 +416,10 @@ class SweepResume(FolderTest):
     def test_launcher_goes_on_after_a_death(self):
         script = Path(__file__).parents[2]/"scripts"/"run-sweep"
         (self.folder/"sweep.nml").write_text(namelist(SLOW))
-        environment = {**os.environ, **MPI_ENVIRONMENT, "OMPI_MCA_oob_tcp_if_include": "lo",
+        variables = {**os.environ, **MPI_ENVIRONMENT, "OMPI_MCA_oob_tcp_if_include": "lo",
                        "OMPI_MCA_btl_tcp_if_include": "lo"}
         command = ["bash", script, "--ranks", "1", "--restarts", "1", "sweep.nml", "--time-limit", "1:00:00"]
-        process = subprocess.Popen(command, cwd=self.folder, env=environment, stdout=subprocess.PIPE,
+        process = subprocess.Popen(command, cwd=self.folder, env=variables, stdout=subprocess.PIPE,
                                    stderr=subprocess.STDOUT, text=True)
         self.addCleanup(process.kill)
         self.addCleanup(process.stdout.close)
@@ -441,10 +441,10 @@ class SweepResume(FolderTest):
         qsub = self.folder/"qsub"   # there is no PBS here; that it is asked for the right thing can be seen
         qsub.write_text("#!/bin/sh\necho \"$@\" >>\"$QSUB_LOG\"\n")
         qsub.chmod(0o755)
-        environment = {**os.environ, **MPI_ENVIRONMENT, "PBS_JOBID": "7.server", "PBS_O_WORKDIR": str(root), "starts": "3",
+        variables = {**os.environ, **MPI_ENVIRONMENT, "PBS_JOBID": "7.server", "PBS_O_WORKDIR": str(root), "starts": "3",
                        "EHLWAVE_RANKS": "1", "PATH": f"{self.folder}:{os.environ['PATH']}", "QSUB_LOG": str(self.folder/"log"),
                        "sweep": str(self.folder/"sweep.nml"), "results": str(self.folder/"results.h5")}
-        outcome = subprocess.run(["bash", self.folder/"pbs.sh"], env=environment, capture_output=True, text=True, check=False)
+        outcome = subprocess.run(["bash", self.folder/"pbs.sh"], env=variables, capture_output=True, text=True, check=False)
         self.check_status(outcome, UNFINISHED)
         self.assertIn("job 7.server: start 4 on", outcome.stdout)
         self.assertEqual((self.folder/"log").read_text(), f"-v sweep={self.folder}/sweep.nml,results={self.folder}/results.h5,"

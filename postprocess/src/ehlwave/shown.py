@@ -4,6 +4,9 @@ import re
 from collections.abc import Mapping
 from html import escape
 
+PLAIN = 0.995
+"""Share from which two digits would be an exponent."""
+
 
 def html_table(title: str, rows: Mapping[str, str]) -> str:
     """Return a title and rows of names and texts as HTML."""
@@ -43,8 +46,8 @@ def micrometres(length_m: float | None) -> str:
 
 
 def percent(share: float) -> str:
-    """Return a share of 1 in percent with two digits, never with an exponent below 1e15."""
-    return f"{float(f'{100 * share:.2g}'):.15g} %"
+    """Return a share with two digits, from 100 % on without a fraction: "3.4 %", "115 %"."""
+    return f"{100 * share:.2g} %" if abs(share) < PLAIN else f"{100 * share:.0f} %"
 
 
 def within(value: float, error: float | None, unit: str = "") -> str:

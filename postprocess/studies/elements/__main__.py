@@ -2,155 +2,117 @@
 
 import argparse
 import math
-import multiprocessing
-import os
 import re
-import resource
 import sys
 import warnings
 from collections import Counter
-from collections.abc import Sequence
-from dataclasses import replace
-from multiprocessing.connection import Connection
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
-from ehlwave.elements.answers import REFUSALS
-from ehlwave.elements.place import ElementContact
 from studies.command import checks
 from studies.command.options import step_parser
-from studies.elements.draw import KINDS, places
-from studies.judged.runs import kept
+from studies.elements.answers import MOST_PLACES, Answer, by_both, by_laws, by_program
+from studies.elements.draw import KINDS
+from studies.judged.runs import kept, read_rows
 from studies.sweeps import Row, run_command, write_rows
 
 ANSWERED, WITHIN = 0.98, 0.95
 """Least share of elements that are answered, and of films and friction within their errors."""
-COMPUTE_S = 60
-"""Most seconds of a processor for each run of a computed contact."""
-EXACT = {"viscosity_error": 0.0, "pressure_viscosity_error": 0.0, "conductivity_error": 0.0}
 VALUES = ("central", "minimum", "friction")
-Answer = dict[str, Any]
+POINTS = ("DeepGrooveBallBearing", "AngularContactBallBearing", "BallOnDisc", "MiniTraction")
+"""Kinds with elliptical contacts."""
 
 
-def answer(place: ElementContact, by: str) -> Answer:
-    """Return film and friction of a contact, their errors and source, or the reason for none."""
-    try:
-        film = place.contact.film(by=by)
-    except REFUSALS as error:
-        return {"reason": str(error)[:150]}
-    rolls = place.slide_to_roll_ratio == 0
-    found: Answer = {"source": film.source[:40]}
-    for name, value, error in (
-        ("central", film.central_m, film.central_error),
-        ("minimum", film.minimum_m, film.minimum_error),
-        ("friction", 0.0 if rolls else film.friction, 0.0 if rolls else film.friction_error),
-    ):
-        if value is not None and error is not None and math.isfinite(value + error):
-            found |= {name: value, f"{name}_error": error}
-    if "central" not in found or "friction" not in found:
-        found["reason"] = f"no {'friction' if 'central' in found else 'film'}"
-    return found
+def refused(rows: Sequence[Row]) -> list[int]:
+    """Return the numbers of the contacts that no law answers, kinds in turn."""
+    return [
+        MOST_PLACES * row["number"] + place["place"]
+        for row in rows
+        for place in row["places"]
+        if "reason" in place
+    ]
 
 
-def _send(pipe: Connection, place: ElementContact) -> None:
-    resource.setrlimit(resource.RLIMIT_CPU, (COMPUTE_S, COMPUTE_S))  # programs inherit it
-    start = _processor_s()
-    found = answer(place, "computed")
-    pipe.send(found | {"seconds": _processor_s() - start})
+def sample(rows: Sequence[Row], each: int) -> list[int]:
+    """Return contacts that a law answers: a random one of each of the first elements of a kind.
 
-
-def computed(place: ElementContact) -> Answer:
-    """Return the answer of ``ehlwave-case`` within the limit of processor time."""
-    context = multiprocessing.get_context("fork")
-    here, there = context.Pipe(duplex=False)
-    process = context.Process(target=_send, args=(there, place))
-    process.start()
-    there.close()
-    try:
-        return dict(here.recv())
-    except EOFError:
-        return {"reason": f"more than {COMPUTE_S} s of a processor"}
-    finally:
-        process.join()
-
-
-def study(number: int, _folder: Path) -> Row:
-    """Return the answers of an element; contacts that no law covers are computed."""
-    kind, drawn = places(number)
-    found = []
-    for index, place in enumerate(drawn):
-        first, second = place.speeds_m_per_s
-        if first * second < 0 or first + second == 0:
-            continue  # surfaces move in opposite directions: the element names these angles
-        row = answer(place, "laws")
-        if "reason" in row:
-            row = {"refused": row["reason"]} | computed(place)
-        found.append({"place": index} | row)
-    return {"kind": kind, "places": found}
-
-
-def compared(number: int, _folder: Path) -> Row:
-    """Return law and computed values of a random contact of an element, where a law answers.
-
-    The oil's data count as exact: law and program take the same, so that their errors would hide
-    differences.
+    Lines come first.
     """
-    kind, drawn = places(number)
-    place = drawn[int(np.random.default_rng([number]).integers(len(drawn)))]
-    place = replace(place, oil=replace(place.oil, **EXACT))
-    law = answer(place, "laws")
-    row: Row = {"kind": kind, "rolls": place.slide_to_roll_ratio == 0, "law": law}
-    return row if "reason" in law else row | {"case": computed(place)}
+    found, counts = [], Counter[str]()
+    for row in rows:
+        known = [place["place"] for place in row["places"] if "reason" not in place]
+        if not known or counts[row["kind"]] == each:
+            continue
+        counts[row["kind"]] += 1
+        place = int(np.random.default_rng([row["number"]]).choice(known))
+        found.append(MOST_PLACES * row["number"] + place)
+    return sorted(found, key=lambda number: _is_point(rows, number))
+
+
+def _is_point(rows: Sequence[Row], number: int) -> bool:
+    """Return whether a contact is a point, which takes longer to compute than a line."""
+    return rows[number // MOST_PLACES]["kind"] in POINTS
 
 
 def times(row: Row, name: str) -> float:
     """Return the difference of law and program over the sum of their errors."""
-    law, case = row["law"], row.get("case", {})
-    if name not in law or name not in case or (name == "friction" and row["rolls"]):
+    law, case = row["law"], row["case"]
+    if name not in law or name not in case or (name == "friction" and row["slip"] == 0):
         return math.nan
     most = law[f"{name}_error"] + case[f"{name}_error"]
     return float(abs(law[name] / case[name] - 1) / most)
 
 
-def summary(rows: Sequence[Row]) -> list[Row]:
-    """Return per kind the shares of elements answered by laws and at all."""
+def summary(rows: Sequence[Row], computed: Mapping[int, Answer]) -> list[Row]:
+    """Return per kind the shares of elements answered by laws, and by laws or computed.
+
+    The latter is the share of those elements whose refused contacts have all been computed.
+    """
+    kinds = {kind: [row for row in rows if row["kind"] == kind] for kind in KINDS}
+    return [_shares(kind, own, computed) for kind, own in kinds.items() if own]
+
+
+def _shares(kind: str, rows: Sequence[Row], computed: Mapping[int, Answer]) -> Row:
+    left = [refused([row]) for row in rows]
+    tried = [own for own in left if all(number in computed for number in own)]
+    answered = [all("reason" not in computed[number] for number in own) for own in tried]
+    contacts = sum(len(row["places"]) for row in rows)
+    return {
+        "element": kind,
+        "elements": len(rows),
+        "contacts": contacts,
+        "contacts_by_law": contacts - sum(map(len, left)),
+        "elements_by_law": sum(not own for own in left) / len(rows),
+        "elements_tried": len(tried),
+        "elements_answered": sum(answered) / len(tried) if tried else math.nan,
+    }
+
+
+def compared(judged: Sequence[Row]) -> list[Row]:
+    """Return the shares of films and friction of laws within the errors, by kind and in all."""
     table = []
-    for kind in KINDS:
-        own = [row["places"] for row in rows if row["kind"] == kind]
-        every = [place for drawn in own for place in drawn]
-        table.append(
-            {
-                "element": kind,
-                "elements": len(own),
-                "contacts": len(every),
-                "contacts_by_law": sum("refused" not in place for place in every),
-                "elements_by_law": _share(own, "refused"),
-                "elements_answered": _share(own, "reason"),
-            }
-        )
+    for kind in (*KINDS, "all"):
+        own = [row for row in judged if kind in ("all", row["kind"])]
+        for name in VALUES:
+            off = np.array([times(row, name) for row in own])
+            off = off[np.isfinite(off)]
+            row = {"element": kind, "value": name, "compared": off.size}
+            if off.size:
+                row |= {"within": float(np.mean(off <= 1)), "largest": float(off.max())}
+                table.append(row)
     return table
-
-
-def _share(elements: Sequence[Sequence[Answer]], missing: str) -> float:
-    done = [all(missing not in place for place in drawn) for drawn in elements]
-    return sum(done) / len(done) if done else math.nan
 
 
 def reasons(rows: Sequence[Row]) -> Counter[str]:
     """Return how often laws refused, by kind and reason without its numbers."""
     return Counter(
-        f"{row['kind']}: {re.sub(r'[-+]?[0-9][0-9.e+-]*', '#', place['refused'])}"
+        f"{row['kind']}: {re.sub(r'[-+]?[0-9][0-9.e+-]*', '#', place['reason'])}"
         for row in rows
         for place in row["places"]
-        if "refused" in place
+        if "reason" in place
     )
-
-
-def _processor_s() -> float:
-    found = os.times()
-    return found.user + found.system + found.children_user + found.children_system
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -159,33 +121,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(options: argparse.Namespace) -> int:
-    folder, count = Path(options.output), options.contacts
+    folder = Path(options.output)
     warnings.simplefilter("ignore")
-    rows = kept(folder / "elements.jsonl", range(len(KINDS) * options.elements), study, 1)
-    table = summary(rows)
-    judged = kept(folder / "compared.jsonl", range(count), compared, 1)
-    for name in VALUES:
-        off = np.array([times(row, name) for row in judged])
-        off = off[np.isfinite(off)]
-        table.append(
-            {
-                "element": f"{name}, law against ehlwave-case",
-                "contacts": off.size,
-                "within": float(np.mean(off <= 1)) if off.size else math.nan,
-                "largest": float(off.max()) if off.size else math.nan,
-            }
-        )
-    write_rows(folder / "elements.csv", table, digits=4)
-    for row in table:
-        print(
-            ", ".join(
-                f"{k} {v:.4g}" if isinstance(v, float) else f"{k} {v}" for k, v in row.items()
-            )
-        )
+    rows = kept(folder / "laws.jsonl", range(len(KINDS) * options.elements), by_laws, 1)
     for reason, number in reasons(rows).most_common(20):
-        print(number, reason)
-    few = any(row.get("elements_answered", 1.0) < ANSWERED for row in table)
-    return int(few or any(row.get("within", 1.0) < WITHIN for row in table))
+        print(number, reason, flush=True)
+    if not options.report:
+        kept(folder / "compared.jsonl", sample(rows, options.contacts), by_both, 1)
+        kept(folder / "computed.jsonl", refused(rows)[: options.computed], by_program, 1)
+    judged = compared(read_rows(folder / "compared.jsonl"))
+    done = read_rows(folder / "computed.jsonl")
+    table = summary(rows, {row["number"]: row for row in done})
+    write_rows(folder / "elements.csv", table, digits=4)
+    write_rows(folder / "compared.csv", judged, digits=4)
+    for row in (*table, *judged):
+        cells = (f"{k} {v:.4g}" if isinstance(v, float) else f"{k} {v}" for k, v in row.items())
+        print(", ".join(cells))
+    few = any(row["elements_answered"] < ANSWERED for row in table)
+    return int(few or any(row["within"] < WITHIN for row in judged if row["element"] == "all"))
 
 
 if __name__ == "__main__":

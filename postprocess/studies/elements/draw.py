@@ -33,7 +33,7 @@ from studies.atlas.bearings import log_uniform
 Random = np.random.Generator
 Places = list[ElementContact]
 
-SEED = 58
+SEED = 5800
 CELSIUS = (40.0, 100.0)
 WARM = {"heat": True}
 ROLLER_LENGTH = (1.0, 1.6)

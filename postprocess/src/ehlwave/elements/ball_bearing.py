@@ -116,10 +116,16 @@ class BallBearing(RollingBearing):
         diameter, pitch = self.element_diameter_m, self.pitch_diameter_m
         radii = tuple((groove - 0.5) * diameter for groove in self.conformity)
         distance = sum(radii)
-        angle = math.radians(self.free_angle_deg)
-        if not self.free_angle_deg and self.clearance_m > 0:
-            angle = math.acos(1 - min(self.clearance_m / (2 * distance), 1))
-        return Grooves((radii[0], radii[1]), angle, pitch / 2 + radii[0] * math.cos(angle))
+        angle, clearance = math.radians(self.free_angle_deg), self.clearance_m
+        if clearance >= 2 * distance:
+            raise SurfaceError(
+                f"{type(self).__name__}: clearance_m = {clearance:g} leaves the rings no hold "
+                f"along the axis: with an axial load it must be below {2 * distance:.3g}"
+            )
+        if clearance > 0:
+            angle = math.acos(1 - clearance / (2 * distance))
+        groove = pitch / 2 + radii[0] * math.cos(angle)
+        return Grooves((radii[0], radii[1]), angle, groove, preload_m=max(-clearance / 2, 0.0))
 
     def load_zone(
         self,

@@ -15,6 +15,7 @@ from ehlwave.choices import chosen
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.elements.answers import Questions
 from ehlwave.elements.bearing_motion import BearingMotion
+from ehlwave.elements.given import count
 from ehlwave.elements.inside_error import inside_error, widen
 from ehlwave.elements.load_zone import RINGS, LoadZone
 from ehlwave.elements.place import ElementContact
@@ -22,13 +23,11 @@ from ehlwave.elements.practice import viscosity_ratio
 from ehlwave.elements.races import Races
 from ehlwave.elements.rolling_resistance import error_of, rolling_power_w
 from ehlwave.elements.table import table_of, unanswered, worst_places
-from ehlwave.errors import ExtrapolationWarning
+from ehlwave.errors import ExtrapolationWarning, SurfaceError
 from ehlwave.shown import percent
 
 Floats = NDArray[np.float64]
 
-EDGE = 0.95
-"""Part of the half width of the load zone that tables show: at its end there is no load."""
 LARGEST_LEFT_OUT = 0.05
 """Centrifugal force over the largest load above which loads without it are warned of."""
 LEAST_LOAD = 1e-9
@@ -198,7 +197,7 @@ class RollingBearing(BearingMotion):
         inner_speed_rpm, outer_speed_rpm, oil
             As of :meth:`contacts`.
         points : int
-            Angles, evenly spread over 95 % of the loaded part.
+            Angles, evenly spread over 95 % of the loaded part; the most loaded place is among them.
         rings : tuple of str
             Rings that are answered.
         has_centrifugal_load : bool
@@ -219,18 +218,19 @@ class RollingBearing(BearingMotion):
         loads = {name: asked.pop(name) for name in own if name in asked}
         questions = Questions(**asked)
         speeds = (inner_speed_rpm, outer_speed_rpm)
+        if inner_speed_rpm == outer_speed_rpm:
+            raise SurfaceError(
+                f"{type(self).__name__}: both rings turn at {inner_speed_rpm:g} rpm, so that no "
+                "contact rolls: change inner_speed_rpm or outer_speed_rpm"
+            )
         zone = self._zone(loads, speeds if has_centrifugal_load else (0.0, 0.0))
-        half = EDGE * zone.half_width_deg
-        angles = np.linspace(-half, half, points)
+        angles = zone.angles_deg(count(points, "points", type(self).__name__, 1))
         tables = []
         for ring in rings:
+            loaded = (angles, *zone.loads_at(angles, ring))
             places = [
-                self._place(ring, a, q, alpha, speeds, oil, questions.options)
-                for a, q, alpha in zip(
-                    angles.tolist(),
-                    *(one.tolist() for one in zone.loads_at(angles, ring)),
-                    strict=True,
-                )
+                self._place(ring, *one, speeds, oil, questions.options)
+                for one in zip(*(values.tolist() for values in loaded), strict=True)
             ]
             tables.append(table_of(places, questions, "angle_deg", {"angle_deg": angles.tolist()}))
         found = xr.concat(tables, dim="ring").assign_coords(ring=list(rings))

@@ -157,6 +157,12 @@ class CamFollower(CamMotion):
                 f"{name}: the cam is hollow or pointed at {angle_deg:g} degrees, where a flat "
                 "follower does not touch it: raise base_radius_m"
             )
+        if self.roller_radius_m is not None and -self.roller_radius_m < radius <= 0:
+            raise SurfaceError(
+                f"{name}: the roller cuts the cam's flank off at {angle_deg:g} degrees: its path "
+                f"has a radius of {radius + self.roller_radius_m:.3g} m there: lower "
+                "roller_radius_m or raise base_radius_m"
+            )
         first, second = self.surface_speeds_m_per_s(angle_deg, speed)
         follower = FLAT if self.roller_radius_m is None else self.roller_radius_m
         return ElementContact(
@@ -218,7 +224,7 @@ class CamFollower(CamMotion):
         angles = [place.angle_deg for place in places]
         found = table_of(places, questions, "angle_deg", {"angle_deg": angles})
         found["angle_deg"].attrs |= {"units": "degree", "long_name": "angle of the cam"}
-        opposite = [p.angle_deg for p in places if p.speeds_m_per_s[0] * p.speeds_m_per_s[1] < 0]
+        opposite = [place.angle_deg for place in places if place.is_opposite]
         reversals = self.reversals_deg()
         found.attrs |= {
             "element": type(self).__name__,

@@ -65,11 +65,14 @@ FORMULAS = {
     "slide_to_roll_ratio": _number("slide-to-roll ratio", "(u1 - u2)/u"),
     "load_n": _number(
         "load, W",
-        "bearings: equilibrium of ISO 16281; gears: T/r_b1 times the share of ISO/TR 15144-1; "
+        "bearings: equilibrium of ISO 16281; gears: T/(r_b1 cos(beta_b)) times the share of "
+        "ISO/TR 15144-1; "
         "cams: spring force + rate x lift + mass x acceleration",
         "N",
     ),
-    "load_n_per_m": Entry("load per length, w", "N/mm", 1e-3, "W over the length of the line"),
+    "load_n_per_m": Entry(
+        "load per length, w", "N/mm", 1e-3, "W over the length of the line; gears: b/cos(beta_b)"
+    ),
     "semi_axis_a_m": _length(
         "Hertz semi-axis along rolling, a",
         "lines: a^2 = 8 w Rx/(pi E'), 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2; ellipses: Hertz",

@@ -40,6 +40,8 @@ class GearPair:
         """Check and keep the arguments of all gear pairs."""
         name = type(self).__name__
         teeth = pair(given["teeth"], "teeth", name)
+        if min(teeth) < 0:
+            raise SurfaceError(f"{name}: teeth = {given['teeth']}: internal gears are not covered")
         distance = given["centre_distance_m"]
         helix = at_least(helix_angle_deg, "helix_angle_deg", name)
         if not helix < 45:
@@ -69,6 +71,11 @@ class GearPair:
     def overlap_ratio(self) -> float:
         """Return eps_beta."""
         return self.geometry.overlap_ratio(self.face_width_m)
+
+    @property
+    def line_length_m(self) -> float:
+        """Return the length of a contact line over the whole face, b/cos(beta_b)."""
+        return self.face_width_m / math.cos(self.geometry.base_helix_rad)
 
     def normal_load_n(self, pinion_torque_n_m: float) -> float:
         """Return the force normal to the flanks, T/(r_b cos(beta_b)).
@@ -138,8 +145,8 @@ class GearPair:
             bodies=flanks,  # type: ignore[arg-type]
             oil=oil,
             speeds_m_per_s=(first, second),
-            load_n=load * self.face_width_m,
-            length_m=self.face_width_m,
+            load_n=load * self.line_length_m,
+            length_m=self.line_length_m,
             angle_deg=math.degrees(float(s) / self.geometry.base_radii_m[0]),
             name=near if abs(points[near] - float(s)) < 1e-9 else "",
             options=options or {},
@@ -249,7 +256,7 @@ class GearPair:
         s = found["distance_m"].values
         fine = np.linspace(s[0], s[-1], FINE)
         first, second = self._speeds(speed, fine)
-        load = self._load_n_per_m(torque, fine) * self.face_width_m * factor
+        load = self._load_n_per_m(torque, fine) * self.line_length_m * factor
         pitch = self.geometry.base_pitch_m
         friction = found["friction"].values if "friction" in found else np.full(s.size, np.nan)
         sliding = np.interp(fine, s, friction) * load * np.abs(first - second)

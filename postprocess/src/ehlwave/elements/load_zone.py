@@ -28,6 +28,8 @@ BALL_HALF_LOADED, ROLLER_HALF_LOADED = 1.2158, 1.2580
 """F_a/(F_r tan(alpha)) of a bearing half of whose elements bear load: integral of cos^n over half a
 turn, n the power, over the integral of cos^(n + 1). Below 1 there is no equilibrium.
 """
+EDGE = 0.95
+"""Part of the half width of the load zone that tables show: at its end there is no load."""
 BALANCED = 1e-9
 """Relative error of forces that a solution may leave."""
 HALVINGS = 50
@@ -78,6 +80,19 @@ class LoadZone:
             middle = (low + high) / 2
             low, high = (middle, high) if self.loads_at([middle])[0][0] > 0 else (low, middle)
         return float(low)
+
+    def angles_deg(self, points: int) -> Floats:
+        """Return angles evenly spread over the load zone, with the most loaded, 0, among them.
+
+        An odd number above 1 reaches both ends, an even number the upper end alone.
+
+        Parameters
+        ----------
+        points : int
+            Number of angles.
+        """
+        places = np.arange(points) - (points - 1) // 2
+        return np.asarray(EDGE * self.half_width_deg * places / max(points // 2, 1))
 
 
 def radial_zone(radial_load_n: float, elements: int, clearance_m: float, races: Races) -> LoadZone:
@@ -145,7 +160,7 @@ def combined_zone(
 
     def bear_of(moved: Floats) -> Callable[[Floats], Borne]:
         def bear(turn: Floats) -> Borne:
-            across = a * np.cos(start_angle) + moved[0] * np.cos(turn)
+            across = a * np.cos(start_angle) + grooves.preload_m + moved[0] * np.cos(turn)
             along = a * np.sin(start_angle) + moved[1]
             along = along + grooves.groove_radius_m * np.sin(moved[2]) * np.cos(turn)
             return ball_loads(along, across, grooves, races)

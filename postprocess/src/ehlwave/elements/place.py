@@ -10,9 +10,13 @@ from typing import Any
 
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.data_sheet import Oil
+from ehlwave.contact.equality import equal_fields
 from ehlwave.elements.hertz import hertz_line, hertz_point, reduced_modulus, reduced_radius
 from ehlwave.errors import RangeError
 from ehlwave.operating_point import Contact
+
+STILL = 1e-4
+"""Speed of a surface over the speed of the other below which its direction does not count."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +64,7 @@ class ElementContact:
     name: str = ""
     others: Mapping[str, float] = field(default_factory=dict)
     options: Mapping[str, Any] = field(default_factory=dict)
+    __eq__ = equal_fields
 
     @property
     def radius_x_m(self) -> float:
@@ -87,6 +92,16 @@ class ElementContact:
         first, second = self.speeds_m_per_s
         mean = self.mean_speed_m_per_s
         return (first - second) / mean if mean != 0 else math.inf
+
+    @property
+    def is_opposite(self) -> bool:
+        """Return whether the surfaces move in opposite directions past the contact.
+
+        A speed below :data:`STILL` of the other counts as 0: lift tables leave such speeds in
+        dwells.
+        """
+        slow, fast = sorted(self.speeds_m_per_s, key=abs)
+        return slow * fast < 0 and abs(slow) > STILL * abs(fast)
 
     @cached_property
     def _hertz(self) -> tuple[float, float]:
@@ -127,12 +142,13 @@ class ElementContact:
             In place of its own.
         """
         first, second = self.speeds_m_per_s
-        if first * second < 0 or first + second == 0:
+        if self.is_opposite or first + second == 0:
             raise RangeError(
                 f"surface speeds of {first:.4g} and {second:.4g} m/s: the surfaces move in "
                 "opposite directions past the contact, which no law and no case covers "
                 "(slide_to_roll_ratio of -2 to 2)"
             )
+        sign = math.copysign(1.0, first + second)
         given: dict[str, Any] = {"load_n": self.load_n}
         if self.length_m is not None:
             given["length_m"] = self.length_m
@@ -140,6 +156,6 @@ class ElementContact:
         return Contact.from_bodies(
             *self.bodies,
             oil=self.oil,
-            speeds_m_per_s=(abs(first), abs(second)),
+            speeds_m_per_s=(max(first * sign, 0.0), max(second * sign, 0.0)),
             **given,
         )

@@ -88,11 +88,14 @@ class Grooves:
         Contact angle without load.
     groove_radius_m : float
         Of the circle of the inner groove centres.
+    preload_m : float
+        Radial approach of the centred rings.
     """
 
     radii_m: tuple[float, float]
     free_angle_rad: float
     groove_radius_m: float
+    preload_m: float = 0.0
 
     @property
     def distance_m(self) -> float:

@@ -31,6 +31,7 @@ STYLE = (
     "table{border-collapse:collapse;font-size:12.5px}td,th{padding:2px 7px;text-align:right;"
     "border-bottom:1px solid #dde}th{color:#345;text-align:left}caption{text-align:left;"
     "font-weight:600;padding:.8em 0 .2em}img{max-width:100%}.wide{overflow-x:auto}"
+    ".wide th{white-space:nowrap;position:sticky;left:0;background:#fff}"
     ".text{text-align:left}th a{color:inherit;text-decoration-style:dotted}"
     ".note{background:#fff6e0;padding:.4em .8em}"
 )

@@ -40,8 +40,7 @@ def case_table(places: Sequence[ElementContact]) -> pd.DataFrame:
         raise SurfaceError("case_table: points and lines need a table each")
     rows = []
     for place in places:
-        first, second = place.speeds_m_per_s
-        if first * second < 0 or first + second == 0:
+        if place.is_opposite or place.mean_speed_m_per_s == 0:
             continue
         row = {"radius_x_m": place.radius_x_m}
         if place.length_m is None:
@@ -51,7 +50,7 @@ def case_table(places: Sequence[ElementContact]) -> pd.DataFrame:
         row |= {
             "reduced_modulus_pa": reduced_modulus(*place.bodies),
             "mean_speed_m_per_s": abs(place.mean_speed_m_per_s),
-            "slip_parameter": round(1 + place.slide_to_roll_ratio / 2, 12),
+            "slip_parameter": min(max(round(1 + place.slide_to_roll_ratio / 2, 12), 0.0), 2.0),
             "viscosity_pa_s": place.oil.viscosity_pa_s,
             "pressure_viscosity_per_pa": place.oil.pressure_viscosity_per_pa,
         }

@@ -8,6 +8,7 @@ from ehlwave.contact.bodies import FLAT, Body
 from ehlwave.elements.given import above, pair
 from ehlwave.elements.material import elastic_of
 from ehlwave.elements.test_rig import TestRig
+from ehlwave.errors import SurfaceError
 
 
 class TwoDisc(TestRig):
@@ -81,4 +82,8 @@ class TwoDisc(TestRig):
             math.pi * d * n / 60 for d, n in zip(self.diameters_m, speeds_rpm, strict=True)
         )
         mean = (first + second) / 2
+        if mean == 0:
+            raise SurfaceError(
+                f"TwoDisc: speeds_rpm = {speeds_rpm} draw no oil in: their mean surface speed is 0"
+            )
         return mean, (first - second) / mean

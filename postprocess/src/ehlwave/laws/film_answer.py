@@ -1,20 +1,17 @@
-"""Films of a smooth contact by the atlas and the laws of heat."""
+"""Films of a smooth contact by the laws of films and of heat."""
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
 from ehlwave.errors import RangeError
 from ehlwave.laws.answers import Film, given_film
-from ehlwave.laws.atlas.chart import Chart
+from ehlwave.laws.film_laws import ChartAt, smooth_film
 from ehlwave.laws.friction_range import friction_outside, slight_slip_error
 from ehlwave.laws.heat_laws import Heated
 from ehlwave.laws.heated_contact import heated
 from ehlwave.laws.isothermal_friction import isothermal_error_by_data
-from ehlwave.laws.rigid_lines import SOURCE as RIGID
-from ehlwave.laws.rigid_lines import is_rigid, rigid_film
 from ehlwave.laws.rolling_resistance import rolling_of
 from ehlwave.laws.starved_transfer import check_starved
 from ehlwave.shown import percent
@@ -22,7 +19,7 @@ from ehlwave.shown import percent
 
 def film_of(
     c: Conditions,
-    chart_at: Callable[[float], Chart],
+    chart_at: ChartAt,
     heat: Heat | None,
     eyring_stress_pa: float | None,
 ) -> Film:
@@ -49,11 +46,7 @@ def film_of(
     rolls = c.is_line and heat is not None
     slip = 1.0 if rolls else c.film_slip
     thinned = c.rolling_film_error if rolls else 0.0
-    if slip == 1 and is_rigid(c):
-        film, source = rigid_film(c), RIGID
-    else:
-        chart = chart_at(slip)
-        film, source = chart.film(), chart.film_source
+    film, source = smooth_film(c, slip, chart_at)
     friction = friction_error = None
     if film.stress is not None and eyring_stress_pa is not None:
         hertz_pa = c.alphabar / c.oil.pressure_viscosity_per_pa

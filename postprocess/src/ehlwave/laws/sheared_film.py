@@ -19,7 +19,11 @@ Floats = NDArray[np.float64]
 
 PLACES, STRIPS = 41, 7
 """Along a strip, and strips from the middle of an ellipse to its side."""
-ROUNDS, HALVINGS = 25, 45
+ROUNDS, STEPS, CONVERGED = 25, 60, 1e-10
+"""Rounds of the surfaces' rise, and steps for ln A until one is this small: the next is below
+round-off."""
+LOG_A = (-30.0, 5.0)
+"""Interval of ln A."""
 MEAN_BAND = 0.752
 """Mean rise of a surface under an even band source, in q (2 b/u)^(1/2)/effusivity."""
 ROELANDS_K = 138.0
@@ -84,8 +88,9 @@ def shear_warm(case: Sliding, heat: Heat) -> Sheared:
     pressure, weight = _pressures(case)
     at_walls = np.zeros_like(pressure)
     spread = _wall_factor(case, heat)
+    log_a = np.zeros_like(pressure)
     for _ in range(ROUNDS):
-        stress, rise = _local(case, heat, pressure, at_walls)
+        stress, rise, log_a = _local(case, heat, pressure, at_walls, log_a)
         lengths = np.sqrt(case.semi_axis_a_m * np.sqrt(_strips(case)[0]))[:, None]
         warmed = spread * lengths * (stress * case.sliding_m_per_s @ _half_order().T)
         at_walls += 0.5 * (warmed - at_walls)
@@ -167,21 +172,33 @@ def _asinh_exp(log_b: Floats) -> Floats:
     return np.where(log_b < 30, small, np.log(2) + log_b)
 
 
-def _local(case: Sliding, heat: Heat, pressure: Floats, at_walls: Floats) -> tuple[Floats, Floats]:
-    """Return stress and rise of mid film over the surfaces, (T8), by halving ln A."""
+def _local(
+    case: Sliding, heat: Heat, pressure: Floats, at_walls: Floats, log_a: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """Return stress, rise of mid film over the surfaces, (T8), and ln A, by Newton's method.
+
+    The unknown ln A starts at `log_a` and stays within an interval that contains the solution. The
+    equation compares the logarithm of tau/tau0 by the rise and by the flow law.
+    """
     log_eta, beta = _log_viscosity(case, heat, pressure, at_walls)
     tau0, h, sliding = case.eyring_stress_pa, case.film_m, case.sliding_m_per_s
     factor = 8 * heat.oil_conductivity_w_per_m_k / (beta * sliding * h)
     target = np.log(sliding / (h * tau0)) + log_eta
-    low, high = np.full_like(pressure, -30.0), np.full_like(pressure, 5.0)
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2
-        a = np.exp(middle)
-        sheared = factor * a * np.tanh(a) / tau0
-        excess = _log_sinh(sheared) + _log_sinh(a) + np.log(np.cosh(a)) - middle - target
-        low, high = np.where(excess < 0, middle, low), np.where(excess < 0, high, middle)
-    a = np.exp((low + high) / 2)
-    return factor * a * np.tanh(a), 2 / beta * np.log(np.cosh(a))
+    low, high = (np.full_like(pressure, end) for end in LOG_A)
+    for _ in range(STEPS):
+        a = np.exp(log_a)
+        log_rate = target + log_a - _log_sinh(a) - np.log(np.cosh(a))
+        stress = _asinh_exp(log_rate)
+        excess = np.log(factor * a * np.tanh(a) / tau0) - np.log(stress)
+        low, high = np.where(excess < 0, log_a, low), np.where(excess < 0, high, log_a)
+        by_flow = (1 - 2 * a / np.tanh(2 * a)) / (stress * np.sqrt(1 + np.exp(-2 * log_rate)))
+        step = excess / (1 + 2 * a / np.sinh(2 * a) - by_flow)
+        new = log_a - step
+        log_a = np.where((new >= low) & (new <= high), new, (low + high) / 2)
+        if np.abs(step).max() < CONVERGED:
+            break
+    a = np.exp(log_a)
+    return factor * a * np.tanh(a), 2 / beta * np.log(np.cosh(a)), log_a
 
 
 def _log_sinh(x: Floats) -> Floats:

@@ -265,7 +265,6 @@ def _is_impossible(
     counts = raw.height.shape[::-1]
     return any(
         value is not None
-        and value > 0
         and not (
             SMALLEST_STEP_M <= value * length <= LONGEST_STEP_M
             and value * length * count <= LONGEST_M
@@ -288,7 +287,7 @@ def _agreed(file: Path, option: str, said: float | None, own: float | None) -> f
     if not abs(said - own) <= LARGEST_STEP_DIFFERENCE * abs(own):
         raise SurfaceError(
             f"{file}: {option}{said:g} contradicts the file, whose step is {own:.6g}: leave it "
-            "out, or remove the positions from the file"
+            "out, or give a file of the heights alone"
         )
     return own
 

@@ -8,10 +8,10 @@ from ehlwave.errors import SurfaceError, did_you_mean
 _NAMES = {
     1.0: "m meter meters metre metres mètre mètres",
     1e-2: "cm centimeter centimeters centimetre centimetres",
-    1e-3: "mm millimeter millimeters millimetre millimetres millimètre millimètres MM",
+    1e-3: "mm millimeter millimeters millimetre millimetres millimètre millimètres MM мм",
     1e-6: "um μm Âμm Îμm UM μM μ μ-m micron microns micrometer micrometers micrometre micrometres"
-    " mikrometer mikrometers micromètre micromètres",
-    1e-9: "nm NM nanometer nanometers nanometre nanometres nanomètre nanomètres",
+    " mikrometer mikrometers micromètre micromètres мкм",
+    1e-9: "nm NM nanometer nanometers nanometre nanometres nanomètre nanomètres нм",
     1e-10: "Å angstrom angstroms ångström ångströms ångstrom",
     1e-12: "pm picometer picometers picometre",
     0.0254: "in inch inches",
@@ -28,7 +28,8 @@ _OTHER = {
     *("n", "mn", "un", "nn", "kn", "v", "mv", "uv", "a", "ma", "na", "pa", "kpa", "mpa", "gpa"),
     *("deg", "rad", "mrad", "urad", "°", "°c", "k", "%", "px", "pixel", "pixels", "counts"),
     *("lsb", "a.u.", "au", "-", "1", "1/0", "0/1", "mm/s", "um/s", "m/s", "db", "lux", "digit"),
-    *("digits", "gf", "g", "kg", "nm/s", "grad", "1/mm", "mm/min", "um/mm", "μm/mm", "秒"),
+    *("digits", "gf", "g", "kg", "nm/s", "grad", "1/mm", "mm/min", "um/mm", "μm/mm", "秒", "초"),
+    *("degc", "degf", "°f", "bar", "w", "j", "сек", "мс", "н", "\u0441"),
 }
 """Units, in small letters, of quantities that are no lengths."""
 

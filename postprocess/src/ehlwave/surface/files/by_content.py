@@ -13,6 +13,7 @@ from ehlwave.errors import ResultsError, SurfaceError
 from ehlwave.hdf5 import check_is_file, opened, reason
 from ehlwave.surface.files.from_text import raw_text
 from ehlwave.surface.files.instruments import ENDINGS, is_instrument_text, raw_instrument
+from ehlwave.surface.files.rows import utf16_order
 from ehlwave.surface.raw_surface import RawSurface, numbers_of, refuse_large
 
 _OWN = {".csv", ".txt", ".asc", ".tsv", ".prf", ".h5", ".hdf5", ".nc", ".npy", ".npz"}
@@ -73,7 +74,7 @@ def _is_text(head: bytes) -> bool:
     """Return whether a file that begins so is text, in UTF-16 or in an encoding of bytes."""
     if head.startswith((b"\xff\xfe", b"\xfe\xff")) or not head:
         return True
-    if head[1:200:2].count(0) > 90 and not any(head[0:200:2].count(byte) for byte in (0, 1, 2)):
+    if utf16_order(head):
         return True
     return not any(head.count(byte) for byte in (*range(9), *range(14, 26), 27))
 

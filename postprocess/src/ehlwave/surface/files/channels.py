@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.errors import SurfaceError, printable
-from ehlwave.surface.files.words import heading_of
+from ehlwave.surface.files.words import heading_of, words_of
 
 _PLAIN = ("default", "channel", "data", "main", "raw")
 """Names without information."""
@@ -56,13 +56,16 @@ def _unnamed(heights: Sequence[Any]) -> list[Any]:
     if len(heights) != 1:
         return []
     other = {"amplitude", "phase", "error", "deflection", "friction", "lateral", "current"}
-    words = set(str(heights[0].name).casefold().replace("_", " ").split())
-    return [] if words & other or heading_of(str(heights[0].name)).role == "other" else [heights[0]]
+    return (
+        []
+        if {*words_of(str(heights[0].name))} & other
+        or heading_of(str(heights[0].name)).role == "other"
+        else [heights[0]]
+    )
 
 
 def _is_height(name: str) -> bool:
-    words = set(name.casefold().replace("_", " ").split())
-    return heading_of(name).role == "z" and not words & {"amplitude", "raw", "error"}
+    return heading_of(name).role == "z" and not {*words_of(name)} & {"amplitude", "raw", "error"}
 
 
 def _listed(channels: Sequence[Any]) -> str:

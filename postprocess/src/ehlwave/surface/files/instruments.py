@@ -13,7 +13,7 @@ from ehlwave.hdf5 import DATA_PER_BYTE, check_is_file, reason
 from ehlwave.surface.files.channels import chosen_channel
 from ehlwave.surface.raw_surface import MOST_POINTS, RawSurface, raw_topography, refuse_large
 
-_SDF = re.compile(rb"([ab])[A-Z]{3,4}-\d\.\d")
+_SDF = re.compile(rb"([ab])[A-Z]{2,4}-\d(?:\.\d)?")
 _TEXTS = (
     *(b"fileformat = bcr", b"WSxM file", b"Wyko ASCII Data File Format", b"\\*File list"),
     *(b"# File Format = ASCII", b"Zygo ASCII Data File", b"NT-MDT"),
@@ -73,7 +73,10 @@ def raw_instrument(file: Path, head: bytes, channel: str | None = None) -> RawSu
         refuse_large(file, points)
         if points > DATA_PER_BYTE * file.stat().st_size:
             raise SurfaceError(f"{file}: claims {points} numbers that it cannot hold")
-        raw = raw_topography(found.topography(), file)
+        sizes = {} if found.physical_sizes else {"physical_sizes": found.nb_grid_pts}
+        raw = raw_topography(found.topography(**sizes), file)
+        if sizes:
+            raw.step = raw.step_across = None  # the file has no lateral calibration
     except SurfaceError:
         raise
     except Exception as error:
@@ -132,31 +135,40 @@ def _by_likelihood(file: Path, head: bytes, package: Any) -> tuple[list[Any], li
 
 def _source(file: Path, head: bytes) -> Any:  # noqa: ANN401
     """Return the input of readers: the path, or a copy in memory that they can read."""
-    if (found := _SDF.match(head)) and head[1:8] != b"ISO-1.0":
+    if (found := _SDF.match(head)) and head[:8] not in (b"aISO-1.0", b"bISO-1.0"):
         data = file.read_bytes()
         rest = data[8:] if found[1] == b"b" else data[found.end() :]
         return lambda: io.BytesIO(found[1] + b"ISO-1.0" + rest)
     if head.startswith(b"PK\x03\x04") and zipfile.is_zipfile(file):
         with zipfile.ZipFile(file) as archive:
-            names = archive.namelist()
-            inner = [name for name in names if name.endswith("/main.xml")]
-            if "main.xml" not in names and len(inner) == 1:
+            names = [_plain_name(name) for name in archive.namelist()]
+            inner = [name for name in names if f"/{name}".endswith("/main.xml")]
+            if len(inner) == 1 and (inner[0] != "main.xml" or names != archive.namelist()):
                 data = _without_folder(file, archive, inner[0].removesuffix("main.xml"))
                 return lambda: io.BytesIO(data)
     return str(file)
 
 
+def _plain_name(name: str) -> str:
+    """Return the name of an X3P's part as the format has it; none for additions of macOS."""
+    name = name.replace("\\", "/").removeprefix("./").lstrip("/")
+    if name.startswith("__MACOSX/"):
+        return ""
+    return re.sub(r"(?i)(?<![^/])main\.xml$", "main.xml", name)
+
+
 def _without_folder(file: Path, archive: zipfile.ZipFile, folder: str) -> bytes:
     """Return an archive with the files of a folder at its top."""
-    entries = [one for one in archive.infolist() if one.filename.startswith(folder)]
-    if sum(one.file_size for one in entries) > min(
+    named = [(_plain_name(one.filename), one) for one in archive.infolist()]
+    entries = [(name, one) for name, one in named if name.startswith(folder)]
+    if sum(one.file_size for _, one in entries) > min(
         8 * MOST_POINTS, max(2**24, DATA_PER_BYTE * file.stat().st_size)
     ):
         raise SurfaceError(f"{file}: its archive claims more than it can hold")
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w") as copy:
-        for one in entries:
-            if name := one.filename.removeprefix(folder):
+        for place, one in entries:
+            if name := place.removeprefix(folder):
                 copy.writestr(name, archive.read(one))
     return made.getvalue()
 

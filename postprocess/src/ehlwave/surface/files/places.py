@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ehlwave.errors import SurfaceError
-from ehlwave.surface.surface import is_uniform
+from ehlwave.surface.surface import LARGEST_STEP_DEVIATION
 
 Numbers = NDArray[np.float64]
 
@@ -30,7 +30,7 @@ def placed(file: Path, x: Numbers, y: Numbers, z: Numbers) -> Places:
 
     Raises SurfaceError if the points are neither a grid nor equidistant on a straight line.
     """
-    found = grid(x, y, z) or straight(x, y, z)
+    found = straight(x, y, z) or grid(x, y, z)
     if found is None:
         raise SurfaceError(
             f"{file}: its columns of x and y are neither a grid nor equidistant on a line: "
@@ -43,13 +43,14 @@ def straight(x: Numbers, y: Numbers, z: Numbers, is_oblique: bool = True) -> Pla
     """Return a trace: along x or y where the other is constant, or oblique; None if it is none."""
     if not np.all(np.isfinite(x)) or not np.all(np.isfinite(y)):
         return None
-    if np.ptp(y) == 0:
-        return Places(z, x, None, "y is constant: positions along x")
-    if np.ptp(x) == 0:
-        return Places(z, y, None, "x is constant: positions along y")
-    if not is_oblique or not all(is_uniform(p) or is_uniform(-p) for p in (x, y)):
-        return None
+    for p, other, names in ((x, y, "yx"), (y, x, "xy")):
+        if np.ptp(other) == 0 and not (is_oblique and p[-1] < p[0]):
+            return Places(z, p, None, "{} is constant: positions along {}".format(*names))
     along = np.hypot(x - x[0], y - y[0])
+    ideal = [np.linspace(p[0], p[-1], p.size) for p in (x, y)]
+    farthest = np.hypot(x - ideal[0], y - ideal[1]).max()
+    if not is_oblique or not farthest <= LARGEST_STEP_DEVIATION * along[-1] / (along.size - 1):
+        return None
     return Places(z, along, None, "oblique profile: positions along it, from x and y")
 
 

@@ -29,6 +29,7 @@ DASHES = {"-", "--", "---", "----", "*", "**", "***", "****", "*****"}
 """Cells of heights that were not measured."""
 
 _QUOTED_NUMBER = re.compile(r'"\s*[-+]?[\d.,]+(?:[eEdD][-+]?\d+)?\s*"')
+_MARKS = tuple("#%!*/")
 _EXPONENT = re.compile(r"(?<=[\d.])[dD](?=[-+]?\d)")
 
 
@@ -123,12 +124,21 @@ def unquoted(lines: Sequence[str]) -> list[str]:
     return [(";" if has_commas else mark).join(row) for row in cells]
 
 
+def utf16_order(head: bytes) -> str | None:
+    """Return the order of bytes of a text in UTF-16 that begins so, without a mark; else None."""
+    for low, order in ((0, "le"), (1, "be")):
+        high = head[1 - low :: 2]
+        if len(high) > 9 and high.count(0) > 0.8 * len(high):
+            return None if any(head[low::2].count(byte) for byte in (0, 1, 2)) else order
+    return None
+
+
 def _text(file: Path) -> str:
     """Return the text of a file in UTF-8, UTF-16, Shift-JIS or Latin-1."""
     data = file.read_bytes()
     marked = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
-    if not marked and data[1:200:2].count(0) > 90:
-        return data.decode("utf-16-le", errors="replace")
+    if not marked and (order := utf16_order(data[:4096])):
+        return data.decode(f"utf-16-{order}", errors="replace")
     for encoding in ("utf-16",) if marked else ("utf-8-sig",):
         with contextlib.suppress(UnicodeDecodeError):
             return data.decode(encoding)
@@ -146,13 +156,18 @@ def _plain_signs(line: str) -> str:
     if line.isascii():
         return line
     return (
-        line.replace("\u2212", "-").replace("\u00a0", " ").replace("\u202f", " ").lstrip("\ufeff")
+        re.sub("\u2212|\u2013(?=[\\d.,])", "-", line)
+        .replace("\u00a0", " ")
+        .replace("\u202f", " ")
+        .lstrip("\ufeff")
     )
 
 
 def _without_mark(line: str) -> str:
     """Return a line without the mark of a comment."""
     bare = line.strip(" ")
+    if not bare.startswith(_MARKS):
+        return bare
     found = re.match(r"(?:[#%!*]+|//)(?=[ \t]|[^\W_]|[\[(\-])", bare)
     return bare if found is None else bare[found.end() :].strip(" ")
 
@@ -206,7 +221,8 @@ def _first_numbers(lines: Sequence[str]) -> tuple[int, str | None] | None:
             continue
         separator = _separator(line)
         rows = lines[start + 1 : start + FEWEST_ROWS]
-        is_uneven = any(_cells(row, separator) != _cells(line, separator) for row in rows)
+        cells = _cells(line, separator)
+        is_uneven = any(_cells(row, separator) != cells for row in rows)
         if is_uneven and separator != "," and len(lines) - start > FEWEST_ROWS:
             continue
         count = _count(line, separator)

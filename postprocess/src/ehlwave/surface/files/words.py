@@ -13,23 +13,29 @@ _WORDS: dict[str, str] = {
     "x": "position positions pos length distance traverse lateral path travel abscissa lateralwert"
     " weg wege länge laenge strecke abstand verfahrweg tastweg messweg abszisse vorschub ort"
     " longueur distance abscisse déplacement deplacement course posición posicion longitud"
-    " distancia recorrido posizione lunghezza distanza percorso horizontal arclength",
+    " distancia recorrido posizione lunghezza distanza percorso horizontal arclength afstand lengte"
+    " sträcka längd strækning længde avstand droga długość odległość délka dráha vzdálenost matka"
+    " pituus etäisyys távolság hossz mesafe uzunluk distância comprimento длина расстояние путь",
     "z": "height heights höhe hoehe höhen hoehen hohe höhenwert höhenwerte hauteur altitude altura"
     " altezza quota elevation topography topographie topografie topo map depth tiefe profondeur"
     " roughness rauheit rauhigkeit rugosité rugosite rugosidad rugosità waviness welligkeit"
     " ondulation deviation abweichung écart ecart vertical ordinate ordonnée auslenkung zsensor"
-    " heightsensor zsens",
+    " heightsensor zsens profundidad profundidade profondità hoogte diepte ruwheid höjd djup højde"
+    " høyde wysokość głębokość chropowatość výška hloubka drsnost korkeus syvyys magasság mélység"
+    " yükseklik derinlik высота глубина шероховатость",
     "weak": "profile profil profils profiles profilo perfil profildaten amplitude level raw"
     " primary total data wert messwert value values signal surface oberfläche displacement",
     "count": "no nr nummer number num index idx zeile zeilennummer row line ligne spalte column col"
     " point points punkt punkte punktnummer messpunkt sample samples id count lfd lfdnr numéro"
-    " numero n° nb pt pts",
+    " numero n° nb pt pts rij rad wiersz lp řádek номер строка",
     "other": "time zeit temps tiempo tempo uhrzeit timestamp date datum intensity intensität"
     " intensitaet quality qualität valid gültig mask maske temperature temperatur force kraft load"
     " last friction reibung speed geschwindigkeit velocity vitesse error fehler phase voltage"
     " spannung current strom red green blue rgb weight gewicht brightness helligkeit confidence"
     " deflection lateralforce status flag valide valid stderr std sigma angle winkel slope steigung"
-    " neigung pente gradient curvature krümmung krit",
+    " neigung pente gradient curvature krümmung krit err errors setpoint sollwert tid tijd czas čas"
+    " aika idő zaman время siła síla сила fft psdf acf histogram difference differenz background"
+    " untergrund noise rauschen",
 }
 _ROLES = {word: role for role, words in _WORDS.items() for word in words.split()}
 _ENDS = {
@@ -40,11 +46,35 @@ _ENDS = {
     **dict.fromkeys(("zeit", "kraft", "geschwindigkeit", "temperatur", "stempel"), "other"),
 }
 _IDEOGRAMS = {
-    "z": ("高さ", "高度", "粗さ", "変位", "うねり", "深さ", "高低"),
-    "x": ("位置", "距離", "長さ", "水平", "横方向", "送り"),
-    "count": ("番号", "行番", "点数"),
-    "other": ("時間", "時刻", "強度", "輝度", "荷重", "温度", "速度"),
-    "weak": ("断面", "曲線", "形状", "データ"),
+    "z": (
+        "高さ",
+        "高度",
+        "粗さ",
+        "変位",
+        "うねり",
+        "深さ",
+        "高低",
+        "粗糙",
+        "높이",
+        "깊이",
+        "거칠기",
+    ),
+    "x": ("位置", "距離", "距离", "長さ", "长度", "水平", "横方向", "送り", "거리", "위치", "길이"),
+    "count": ("番号", "行番", "点数", "序号", "编号", "行号", "번호"),
+    "other": (
+        "時間",
+        "时间",
+        "時刻",
+        "強度",
+        "强度",
+        "輝度",
+        "荷重",
+        "温度",
+        "速度",
+        "시간",
+        "온도",
+    ),
+    "weak": ("断面", "曲線", "形状", "データ", "轮廓"),
 }
 SHIFT_JIS_WORDS = (
     *(word for words in _IDEOGRAMS.values() for word in words),
@@ -77,11 +107,16 @@ def heading_of(text: str) -> Heading:
     return Heading(text, _role(words, length is not None), length)
 
 
+def words_of(text: str) -> list[str]:
+    """Return the words of a heading in small letters, parted at capitals and digits, too."""
+    apart = re.sub(r"(?<=[a-z]{2})(?=[A-Z])", " ", unicodedata.normalize("NFKC", text))
+    return re.findall(r"(?:[^\W\d_\u3000-\U0010ffff]|°)+|[\u3000-\U0010ffff]+", apart.lower())
+
+
 def _role(text: str, has_length: bool) -> Role | None:
-    low = unicodedata.normalize("NFKC", text).lower()
-    letters = re.findall(r"[a-zß-ÿ°]+|[^\W\d_a-zß-ÿ]+", low)
+    letters = words_of(text)
     kinds = {kind for word in letters for kind in _kinds(word)}
-    if "#" in low:
+    if "#" in text:
         kinds.add("count")
     if "other" in kinds or ("count" in kinds and not has_length):
         return "other"
