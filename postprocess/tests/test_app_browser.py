@@ -30,7 +30,11 @@ Use = Callable[[Chromium, list[str]], Awaitable[None]]
 Browse = Callable[[Use], list[str]]
 """Use a browser and its proxy; return the list of requests, filled as they come."""
 
-SESSIONS = 20 if os.environ.get("EHLWAVE_LONG_TESTS") else 4
+IS_LONG = bool(os.environ.get("EHLWAVE_LONG_TESTS"))
+SESSIONS = 20 if IS_LONG else 3
+EXAMPLES = range(4) if IS_LONG else (1, 2, 3)
+FITTED = 1
+"""Example whose page is shown in windows of several widths, too."""
 
 
 @pytest.fixture(scope="module")
@@ -106,6 +110,19 @@ async def computed(tab: Tab) -> None:
     await until(lambda: tab.shows_text("Save JSON"), "the answer")
 
 
+async def fits(tab: Tab) -> None:
+    """Check that the page is as wide as its window."""
+    for width in (400, 800, 1920):
+        await tab.size(width, 900)
+        for kind in ("Two bodies", "Line", "M, L, D", "Reduced"):
+            await tab.click(kind)
+            await asyncio.sleep(0.3)
+            wide = await tab.script(
+                "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+            )
+            assert wide <= 0, (width, kind)
+
+
 def in_any_order(report: dict[str, Any]) -> dict[str, Any]:
     """Return a report whose conditions are independent of the order of keys."""
     conditions = dict(report["conditions"])
@@ -113,7 +130,7 @@ def in_any_order(report: dict[str, Any]) -> dict[str, Any]:
     return report | {"conditions": conditions}
 
 
-@pytest.mark.parametrize("number", range(4))
+@pytest.mark.parametrize("number", EXAMPLES)
 def test_a_trace_equals_the_command_line_to_all_digits(
     number: int,
     address: str,
@@ -141,6 +158,8 @@ def test_a_trace_equals_the_command_line_to_all_digits(
             await until((saved / name).exists, name)
         assert foreign(tab, address) == []
         assert not tab.messages
+        if number == FITTED:
+            await fits(tab)
 
     assert in_browser(use) == []
     monkeypatch.chdir(tmp_path)
@@ -171,7 +190,7 @@ def test_a_trace_equals_the_command_line_to_all_digits(
     assert in_any_order(repeated) == in_any_order(expected)
 
 
-def test_bad_and_large_files_get_the_message_of_the_command_line(
+def test_wrong_numbers_and_files_get_the_message_of_the_command_line(
     address: str,
     in_browser: Browse,
     tmp_path: Path,
@@ -189,6 +208,16 @@ def test_bad_and_large_files_get_the_message_of_the_command_line(
         tab = await browser.tab()
         await tab.size(1400, 900)
         await tab.open(address)
+        wrong = {"12,7x": "Load = '12,7x' is not a number", "": "Load is missing"}
+        for text, sign in wrong.items():
+            await tab.fill("Load", text)
+            await tab.click("Compute")
+            await until(lambda sign=sign: tab.has_text(sign), sign)
+            assert await tab.has_text("Field: Load")
+        await tab.fill("Load", "40")
+        await computed(tab)
+        await tab.fill("Load", "41")
+        await until(lambda: tab.has_text("Something was changed"), "the mark of an old answer")
         for path in (bad, packed):
             await tab.give_file(path)
             await until(lambda name=path.name: tab.has_text(name), path.name)
@@ -210,25 +239,6 @@ def test_bad_and_large_files_get_the_message_of_the_command_line(
     assert "Maximum file size is 16 MB" in pages[2]
     assert "Traceback" not in "".join(pages)
     assert "/tmp" not in "".join(pages)
-
-
-def test_wrong_numbers_name_their_field_and_keep_the_rest(address: str, in_browser: Browse) -> None:
-    async def use(browser: Chromium, _: list[str]) -> None:
-        tab = await browser.tab()
-        await tab.size(1400, 900)
-        await tab.open(address)
-        wrong = {"12,7x": "Load = '12,7x' is not a number", "": "Load is missing"}
-        for text, sign in wrong.items():
-            await tab.fill("Load", text)
-            await tab.click("Compute")
-            await until(lambda sign=sign: tab.has_text(sign), sign)
-            assert await tab.has_text("Field: Load")
-        await tab.fill("Load", "40")
-        await computed(tab)
-        await tab.fill("Load", "41")
-        await until(lambda: tab.has_text("Something was changed"), "the mark of an old answer")
-
-    in_browser(use)
 
 
 def test_sessions_at_once_answer_each_its_own(
@@ -285,27 +295,3 @@ def test_no_other_host_is_asked_and_the_check_would_see_it(
 
     asked = in_browser(use)
     assert all("elsewhere.example/c" in one for one in asked)
-
-
-def test_the_page_fits_windows_of_any_width(
-    address: str, in_browser: Browse, tmp_path: Path
-) -> None:
-    example = examples(tmp_path)[0]
-
-    async def use(browser: Chromium, _: list[str]) -> None:
-        tab = await browser.tab()
-        await tab.size(1400, 900)
-        await tab.open(address)
-        await entered(tab, example)
-        await computed(tab)
-        for width in (400, 800, 1920):
-            await tab.size(width, 900)
-            for kind in ("Two bodies", "Line", "M, L, D", "Reduced"):
-                await tab.click(kind)
-                await asyncio.sleep(0.3)
-                wide = await tab.script(
-                    "document.documentElement.scrollWidth - document.documentElement.clientWidth"
-                )
-                assert wide <= 0, (width, kind)
-
-    in_browser(use)

@@ -16,10 +16,14 @@ from app_server import running
 
 from ehlwave.cli import main
 
+MOST = 6
+"""Sessions that the server allows at once."""
+
 
 @pytest.fixture(scope="module")
 def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    with running(tmp_path_factory.mktemp("app")) as found:
+    few = f"import ehlwave.app.server; ehlwave.app.server.MOST_SESSIONS = {MOST}; "
+    with running(tmp_path_factory.mktemp("app"), before=few) as found:
         yield found
 
 
@@ -128,22 +132,20 @@ def test_other_names_are_refused(address: str, host: str) -> None:
         assert asked(address, "/", Host=f"{name}:{port}")[0] == 200
 
 
-def test_sessions_begin_with_sockets_and_are_limited(tmp_path: Path) -> None:
+def test_sessions_begin_with_sockets_and_are_limited(address: str) -> None:
     pytest.importorskip("panel.models.file_dropper")
     from bokeh.client import pull_session
 
-    few = "import ehlwave.app.server; ehlwave.app.server.MOST_SESSIONS = 4; "
-    with running(tmp_path, before=few) as own:
-        pages = {asked(own, "/")[1] for _ in range(2)}
-        before = megabytes_of_servers()
-        pages |= {asked(own, "/")[1] for _ in range(40)}
-        assert len(pages) == 42  # each has its own token
-        assert megabytes_of_servers() - before < 20
-        sessions = [pull_session(url=own) for _ in range(3)]
-        with pytest.raises(OSError, match="503"):
-            sessions += [pull_session(url=own) for _ in range(3)]
-        for session in sessions:
-            session.close()
+    pages = {asked(address, "/")[1] for _ in range(2)}
+    before = megabytes_of_servers()
+    pages |= {asked(address, "/")[1] for _ in range(40)}
+    assert len(pages) == 42  # each has its own token
+    assert megabytes_of_servers() - before < 20
+    sessions = [pull_session(url=address) for _ in range(3)]
+    with pytest.raises(OSError, match="503"):
+        sessions += [pull_session(url=address) for _ in range(MOST)]
+    for session in sessions:
+        session.close()
 
 
 def megabytes_of_servers() -> float:

@@ -250,7 +250,7 @@ def test_an_answer_that_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPat
 def test_sessions_in_threads_get_the_numbers_of_one_alone(tmp_path: Path) -> None:
     example = examples(tmp_path)[0]
     upload = Upload(example.path.name, example.path.read_bytes())
-    tasks = [Task(Given(BALL | {"load_n": 40.0 + load}), upload) for load in range(5)]
+    tasks = [Task(Given(BALL | {"load_n": 40.0 + load}), upload) for load in range(3)]
     alone = [document(answered(task)) for task in tasks]
     pools = Pools(workers=4)
     try:

@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -54,8 +55,10 @@ HEAT = ehlwave.Heat(
 
 @pytest.fixture(autouse=True)
 def shared(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Give all tests one cache, as they ask for the same contacts."""
-    monkeypatch.setenv(cache.FOLDER, str(tmp_path_factory.getbasetemp() / "computed"))
+    """Give all tests, of all workers, one cache, as they ask for the same contacts."""
+    own = tmp_path_factory.getbasetemp()
+    session = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
+    monkeypatch.setenv(cache.FOLDER, str(session / "computed"))
 
 
 @pytest.fixture
@@ -126,7 +129,7 @@ def test_other_laws_of_the_oil_are_written(tmp_path: Path) -> None:
 
 def test_a_film_is_that_of_a_finer_grid() -> None:
     film = computed_film(inner_race())
-    keys = case_keys(inner_race()) | {"scheme": "fitted", "cells_x": 512, "cells_y": 512}
+    keys = case_keys(inner_race()) | {"scheme": "fitted", "cells_x": 384, "cells_y": 384}
     fine = run_case(keys)
     assert film.central_moes == pytest.approx(fine["central_film_moes"], rel=film.central_error)
     smallest = fine["minimum_film"] * fine["central_film_moes"] / fine["central_film"]

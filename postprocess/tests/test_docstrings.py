@@ -10,9 +10,7 @@ import pytest
 
 import ehlwave
 from ehlwave.programs.programs import find_program
-
-ONE_RANK = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self"}
-"""Environment in which Open MPI starts a sweep without a launcher in a third of the time."""
+from studies.programs import ONE_RANK
 
 USES_PROGRAMS = ("ehlwave.Case(", "ehlwave.Study(")
 

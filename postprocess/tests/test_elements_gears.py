@@ -131,6 +131,35 @@ def test_power_is_the_integral_of_the_moment_over_a_mesh() -> None:
     )
 
 
+def test_profile_shifted_spur_gears_of_a_published_table() -> None:
+    """Bolsover, "Profile Shifted External Spur Gears", by the centre distance."""
+    shape = SpurGearPair(
+        module_m=0.003,
+        teeth=(12, 24),
+        face_width_m=0.03,
+        profile_shift=(0.6, 0.36),
+        centre_distance_m=0.0565,
+    ).geometry
+    assert math.degrees(shape.working_angle_rad) == pytest.approx(26.0888, abs=6e-5)
+    bases = [2e3 * radius for radius in shape.base_radii_m]
+    assert bases == pytest.approx([33.8289, 67.6579], abs=6e-5)
+    tips = [2e3 * radius for radius in shape.tip_radii_m]
+    assert tips == pytest.approx([44.840, 79.400], abs=6e-4)
+    assert shape.contact_ratio == pytest.approx(1.202, abs=6e-4)
+
+
+def test_profile_shifted_helical_gears_of_a_published_table() -> None:
+    """A worksheet of ISO 21771 on scribd.com, document 376176518: both ways to the distance."""
+    own = {"module_m": 0.0035, "teeth": (31, 30), "face_width_m": 0.03, "helix_angle_deg": 21.0}
+    shifts = (0.291, 0.651877131252 - 0.291)
+    shape = HelicalGearPair(**own, profile_shift=shifts).geometry  # type: ignore[arg-type]
+    assert 1e3 * shape.working_distance_m == pytest.approx(116.5, abs=1e-6)
+    by_distance = HelicalGearPair(**own, profile_shift=shifts, centre_distance_m=0.1165)  # type: ignore[arg-type]
+    for one in (shape, by_distance.geometry):
+        assert math.degrees(one.transverse_angle_rad) == pytest.approx(21.2990642859, abs=1e-9)
+        assert math.degrees(one.working_angle_rad) == pytest.approx(23.8707609654, abs=1e-6)
+
+
 def test_helical_radii_by_the_section_normal_to_the_flank() -> None:
     """The normal curvature of an involute helicoid is 1/s times cos^2 of the angle to the base."""
     gears = HelicalGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.03, helix_angle_deg=20)

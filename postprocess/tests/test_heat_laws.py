@@ -91,26 +91,38 @@ def test_errors_of_warm_films_hold_in_the_record(name: str) -> None:
     assert float(row["beyond_1.5"]) <= 0.01
 
 
-def test_light_lines_hold_in_their_record() -> None:
-    """Every eighth light line of the record: films and friction without programs."""
+def test_light_lines_have_the_factor_of_their_record() -> None:
     with (ROOT / "postprocess/record/heat/ends_law.csv").open() as file:
         recorded = next(csv.DictReader(file))
     coefficients = [float(recorded[f"c{i + 1}"]) for i in range(5)]
     assert coefficients == pytest.approx(light_lines.COEFFICIENTS, rel=1e-3)
     assert 0.85 * light_lines.FRICTION_BAR < float(recorded["within_95"]) < light_lines.FRICTION_BAR
+
+
+@pytest.mark.parametrize(
+    ("group", "every"),
+    [("light_fresh", 10), ("rigid", 6), ("oily", 6), ("oily_rolling", 6), ("soft_ellipses", 1)],
+)
+def test_ends_of_the_laws_hold_in_their_record(group: str, every: int) -> None:
+    """Contacts of the record: films and friction without programs."""
     with (ROOT / "postprocess/record/heat/ends.csv").open() as file:
-        rows = [row for row in csv.DictReader(file) if row["group"] == "light"][::8]
+        rows = [row for row in csv.DictReader(file) if row["group"] == group][::every]
     held = []
     for row in rows:
         case = {name: float(value) for name, value in row.items() if value and name != "group"}
-        film = ehlwave.Contact(**dimensional_keys(case), heat=heat_of(case)).film(by="laws")
+        if max(case["central_own"], case["smallest_own"]) > 0.03:
+            continue
+        try:
+            film = ehlwave.Contact(**dimensional_keys(case), heat=heat_of(case)).film(by="laws")
+        except ehlwave.RangeError:
+            continue  # another end of the laws
         law = film.heated
         held.append(abs(law.film_factor / case["central"] - 1) <= law.film_error)
         held.append(abs(law.minimum_factor / case["smallest"] - 1) <= law.minimum_error)
-        if "friction" in case:
+        if case.get("friction_own", 1.0) <= 0.1:
             held.append(abs(film.friction / case["friction"] - 1) <= film.friction_error)
-    assert len(held) >= 30
-    assert sum(held) >= len(held) - 2
+    assert len(held) >= 8
+    assert sum(held) >= len(held) - 1
 
 
 def test_a_warm_rolling_line_of_unlike_bodies() -> None:

@@ -23,7 +23,7 @@ Capture = pytest.CaptureFixture[str]
 CONDITIONS = ["--conditions", *(f"{key}={value}" for key, value in EXPERIMENT.items())]
 UM = ReadOptions("um", "um", 2.0)
 MUTATIONS = int(
-    os.environ.get("EHLWAVE_DRAWS", "400" if os.environ.get("EHLWAVE_LONG_TESTS") else "10")
+    os.environ.get("EHLWAVE_DRAWS", "400" if os.environ.get("EHLWAVE_LONG_TESTS") else "6")
 )
 HEIGHTS = 0.01 * np.sin(np.arange(40.0))
 

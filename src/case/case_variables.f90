@@ -34,6 +34,8 @@ module ehlwave_case_variables
    character(len=*), parameter :: wave_keys(4) = [character(len=19) :: 'wavelength_over_a', 'wavelength_x_over_a', &
       'wavelength_y_over_a', 'natural_frequency']
    character(len=*), parameter :: resting_keys(4) = [character(len=19) :: wave_keys(:3), 'amplitude_m']
+   character(len=*), parameter :: periodic_keys(6) = [character(len=19) :: wave_keys, 'amplitude_m', &
+      'amplitude_over_film']
    character(len=*), parameter :: speed = 'mean_speed_m_per_s'
 
 contains
@@ -77,6 +79,8 @@ contains
          if (key%name == speed) is_variable = is_variable .and. .not. case%effects%touching%data%seeks_speed()
       else if (case%responds()) then
          is_variable = is_variable .and. any(key%name == wave_keys)
+      else if (case%repeats()) then
+         is_variable = is_variable .and. any(key%name == periodic_keys)
       else
          is_variable = is_variable .and. case%touches_at_rest() .and. any(key%name == resting_keys)
       end if
@@ -93,7 +97,7 @@ contains
       integer, parameter :: sides(3) = [0, -1, 1]
 
       variable%name = list%keys(k)%name
-      variable%is_of_waves = case%responds() .and. .not. any(list%keys(k)%group == steady_groups)
+      variable%is_of_waves = (case%responds() .or. case%repeats()) .and. .not. any(list%keys(k)%group == steady_groups)
       do n = 1, size(sides)
          call variable%place_variants(step, sides(n))
          do i = 1, size(variable%variants)
@@ -133,7 +137,7 @@ contains
       files = case_files(other)
       call read_oil(other%effects%starvation, variant%conditions, variant%inlet, files, error)
       variant%touching = other%effects%touching%data
-      if (allocated(error) .or. .not. (case%responds() .or. case%touches_at_rest())) return
+      if (allocated(error) .or. .not. (case%responds() .or. case%repeats() .or. case%touches_at_rest())) return
       call plan_surfaces(other, variant%conditions, surfaces, files, error)
       if (allocated(error)) return
       variant%waves = surfaces%list

@@ -26,10 +26,7 @@ contains
       else if (case%end_time > 0) then
          call raise(error, '&output sensitivities: marches in time are not differentiated: remove them, or '// &
             '&dynamics end_time')
-      else if (case%is_wavy() .and. case%response == 'periodic') then
-         call raise(error, "&output sensitivities: a periodic state would need the transposed march of its period, "// &
-            "which is not built: set &waviness response = 'harmonic', whose Ad/Ai is differentiated, or remove them")
-      else if (case%is_wavy() .and. .not. (case%responds() .or. case%touches_at_rest())) then
+      else if (case%is_wavy() .and. .not. (case%responds() .or. case%repeats() .or. case%touches_at_rest())) then
          call raise(error, "&output sensitivities with &waviness response = '"//trim(case%response)// &
             "': marches in time and standing patterns are not differentiated: set response = 'harmonic', whose "// &
             'Ad/Ai is, or remove sensitivities')

@@ -70,6 +70,7 @@ module ehlwave_case_definition
       procedure :: marches
       procedure :: touches_at_rest
       procedure :: responds
+      procedure :: repeats
    end type case_t
 
    integer, parameter, public :: usual_largest_cells = 1024   !! cells that the plan chooses without a limit,
@@ -131,6 +132,12 @@ contains
       class(case_t), intent(in) :: self
       responds = self%is_rough() .and. (self%response == 'harmonic' .or. self%response == 'both')
    end function responds
+
+   !> Whether the periodic state of waves is sought.
+   elemental logical function repeats(self)
+      class(case_t), intent(in) :: self
+      repeats = self%moves() .and. self%response == 'periodic'
+   end function repeats
 
    !> Whether the result is about waves, Ad/Ai; else it is about the film.
    elemental logical function has_ratio(self)

@@ -86,8 +86,9 @@ contains
          '--output a march writes pressure, film and shear stress over time; 0: the last fields alone', &
          minimum=0.0_dp, is_late=.true., can_vary=.false.))
       call list%see(case%sensitivities, key_t('sensitivities', 'whether results are differentiated '// &
-         'by every input; film, friction, resistance to rolling, linear response, and share of touching surfaces, '// &
-         'of contacts without heat, on a mesh in units of a and b', is_late=.true.))
+         'by every input; film, friction, resistance to rolling, linear response or '// &
+         'periodic state, and share of touching surfaces, of contacts without heat, on a mesh in units of a and b', &
+         is_late=.true.))
       call list%see(case%mean_rise, key_t('mean_rise', 'whether a linear response includes the change of the '// &
          'mean film by waves, to second order, and the smallest film; .false. saves a third of its work, without '// &
          'a warning when waves touch', is_late=.true., is_effort=.true., &

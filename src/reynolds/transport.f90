@@ -33,6 +33,7 @@ module ehlwave_transport
       procedure :: carry_content
       procedure :: carry
       procedure :: carry_row
+      procedure :: carry_row_transposed
       procedure :: history_length
    end type transport_t
 
@@ -258,5 +259,36 @@ contains
                                + third_order(3)*history(i - 3*m, 3*s))/(grid%hx*m)
       end do
    end subroutine carry_row
+
+   !> Transposed `carry_row`: add the weights of f at T - n dT for weights r of `carried`.
+   pure subroutine carry_row_transposed(self, grid, n, r, f)
+      class(transport_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      integer, intent(in) :: n
+      real(dp), intent(in) :: r(0:)                !! (0:nx)
+      real(dp), intent(inout) :: f(0:)             !! (0:nx)
+      real(dp) :: weight
+      integer :: i, l, last, m, shift
+
+      m = self%cells_per_step
+      if (modulo(n, self%steps_per_cell) /= 0) return
+      l = n/self%steps_per_cell
+      last = merge(min(3*m - 1, grid%nx), grid%nx, self%order == 3)
+      do i = 1, grid%nx
+         if (i > last) then
+            weight = third_order(l)/(grid%hx*m)
+            shift = l*m
+         else if (l > 2 .or. (self%is_local .and. i < l)) then
+            cycle
+         else if (self%is_local .and. i == 1) then
+            weight = -1/grid%hx
+            shift = 1
+         else
+            weight = merge(-2.0_dp, 0.5_dp, l == 1)/(grid%hx*m)
+            shift = merge(l*m, 0, i >= 2*m)
+         end if
+         f(i - shift) = f(i - shift) + weight*r(i)
+      end do
+   end subroutine carry_row_transposed
 
 end module ehlwave_transport

@@ -16,7 +16,7 @@ module ehlwave_bare_result
    !> Results that are differentiated by every input; the phase itself, of the others the logarithm.
    integer, parameter, public :: of_central_film = 1, of_minimum_film = 2, of_friction = 3, &
       of_rolling_coefficient = 4, of_rolling_force = 5, of_ratio = 6, of_phase = 7, of_share = 8, of_speed = 9, &
-      gradients = 9
+      of_marched_ratio = 10, of_marched_phase = 11, of_mean_film = 12, gradients = 12
 
    !> Derivatives by the logarithm of a property of the oil, all else of the contact the same; NaN: not asked for, or
    !> none.

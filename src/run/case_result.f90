@@ -2,13 +2,15 @@
 module ehlwave_case_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_bare_result, only: bare_result_t, gradient_t, gradients, of_central_film, of_friction, of_minimum_film, &
-      of_phase, of_ratio, of_rolling_coefficient, of_rolling_force, of_share, of_speed, oil_sensitivity_t, rung_length
+      of_marched_phase, of_marched_ratio, of_mean_film, of_phase, of_ratio, of_rolling_coefficient, &
+      of_rolling_force, of_share, of_speed, oil_sensitivity_t, rung_length
    use ehlwave_effects_result, only: effects_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_surface_result, only: surface_result_t
    implicit none (type, external)
    private
-   public :: gradient_t, gradients, of_central_film, of_friction, of_minimum_film, of_phase, of_ratio, &
+   public :: gradient_t, gradients, of_central_film, of_friction, of_marched_phase, of_marched_ratio, of_mean_film, &
+      of_minimum_film, of_phase, of_ratio, &
       of_rolling_coefficient, of_rolling_force, of_share, of_speed, oil_sensitivity_t, rung_length
 
    type, extends(bare_result_t), public :: case_result_t

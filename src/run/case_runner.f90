@@ -15,11 +15,13 @@ module ehlwave_case_runner
    use ehlwave_kinds, only: dp, pi
    use ehlwave_march_case, only: run_moving
    use ehlwave_march_keeper, only: march_keeper_t
+   use ehlwave_march_recording, only: march_recording_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_plan_effort, only: most_work
    use ehlwave_planned_case, only: case_plan_t, run_march, run_standing
    use ehlwave_resolution, only: add_reason, closing_reason, touching_reason
    use ehlwave_periodic_case, only: find_periodic_state
+   use ehlwave_periodic_sensitivity, only: find_periodic_sensitivities
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_roughness, only: roughness_t
    use ehlwave_sensitivity_case, only: find_smooth_sensitivities
@@ -62,6 +64,7 @@ contains
       type(shared_steady_t), intent(inout) :: steady
       type(case_result_t), intent(out) :: result
       class(march_keeper_t), intent(inout), optional :: keeper
+      type(march_recording_t) :: recording
       type(rescue_t) :: rescue
       logical :: is_found
       character(len=:), allocatable :: failure, name, unresolved
@@ -97,7 +100,12 @@ contains
             case (run_march)
                is_found = .false.
                if (plan%is_periodic) &
-                  call find_periodic_state(case, plan, steady%multigrid, rescue, monitor, result, is_found)
+                  call find_periodic_state(case, plan, steady%multigrid, rescue, monitor, recording, result, is_found)
+               if (is_found .and. case%sensitivities) then
+                  besides = besides - steady%multigrid%work()
+                  call find_periodic_sensitivities(case, plan, steady, recording, result)
+                  besides = besides + steady%multigrid%work()
+               end if
                if (.not. is_found) &
                   call run_moving(case, plan, steady%multigrid, rescue, monitor, steady%energy, result, keeper)
             case (run_standing)

@@ -6,11 +6,14 @@ module ehlwave_periodic_case
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_case, only: march_settings, step_limits, step_tolerance, take_last_period
+   use ehlwave_march_recording, only: march_recording_t
    use ehlwave_march_result, only: march_result_t
+   use ehlwave_march_settings, only: march_settings_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_periodic_state, only: periodic_state_t
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_rescue, only: rescue_t
+   use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -24,28 +27,39 @@ module ehlwave_periodic_case
 contains
 
    !> Search for it, and use its film as a march's. If the search fails the result reports this, and only its effort
-   !> changes.
-   subroutine find_periodic_state(case, plan, multigrid, rescue, monitor, result, is_found)
+   !> changes. For sensitivities the march goes on for the steps of a march from rest.
+   subroutine find_periodic_state(case, plan, multigrid, rescue, monitor, recording, result, is_found)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(full_multigrid_t), intent(inout) :: multigrid  !! with a converged steady state
       type(rescue_t), intent(inout) :: rescue             !! as that left it; on return less the work of the search,
                                                           !! with its pressures
       class(monitor_t), intent(inout) :: monitor
+      type(march_recording_t), intent(inout) :: recording  !! of that march, for sensitivities
       type(case_result_t), intent(inout) :: result
       logical, intent(out) :: is_found
       type(periodic_state_t) :: periodic
       type(march_result_t) :: as_marched
+      type(march_settings_t) :: settings
       type(rescue_t) :: search
-      real(dp) :: work_before
+      type(solve_limits_t) :: limits
+      real(dp) :: change, work_before
       integer :: k
 
       work_before = multigrid%work()
       search = rescue
       if (plan%has_work_cap()) search%work_left = search_share*rescue%work_left
-      call periodic%find(multigrid, march_settings(case, plan, result%central_film), search, &
-                         step_limits(case, plan, result%central_film), &
-                         changes_per_tolerance*step_tolerance(case, plan, result%central_film), monitor)
+      settings = march_settings(case, plan, result%central_film)
+      limits = step_limits(case, plan, result%central_film)
+      change = changes_per_tolerance*step_tolerance(case, plan, result%central_film)
+      if (case%sensitivities) then
+         associate (grid => multigrid%levels(size(multigrid%levels))%problem%grid)
+            call recording%begin(grid%nx, grid%ny, plan%steps, settings%repeat_time(grid)/plan%dt)
+         end associate
+         call periodic%find(multigrid, settings, search, limits, change, monitor, recording)
+      else
+         call periodic%find(multigrid, settings, search, limits, change, monitor)
+      end if
       result%work = result%work + multigrid%work() - work_before
       rescue%work_left = rescue%work_left - (multigrid%work() - work_before)
       result%nonlinear_steps = result%nonlinear_steps + periodic%nonlinear_steps

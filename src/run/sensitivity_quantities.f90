@@ -2,8 +2,9 @@
 module ehlwave_sensitivity_quantities
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_result, only: case_result_t, gradient_t, gradients, of_central_film, of_friction, of_minimum_film, &
-      of_phase, of_ratio, of_rolling_coefficient, of_rolling_force, of_share, of_speed
+   use ehlwave_case_result, only: case_result_t, gradient_t, gradients, of_central_film, of_friction, &
+      of_marched_phase, of_marched_ratio, of_mean_film, of_minimum_film, of_phase, of_ratio, &
+      of_rolling_coefficient, of_rolling_force, of_share, of_speed
    use ehlwave_case_variables, only: variable_names
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_quantity, only: quantity_list_t
@@ -13,7 +14,7 @@ module ehlwave_sensitivity_quantities
 
    character(len=*), parameter :: result_names(gradients) = [character(len=30) :: 'central_film', 'minimum_film', &
       'friction_coefficient', 'rolling_resistance_coefficient', 'rolling_resistance', 'harmonic_ratio', &
-      'harmonic_phase', 'touching_share', 'mean_speed']
+      'harmonic_phase', 'touching_share', 'mean_speed', 'amplitude_ratio_fit', 'phase_fit', 'mean_film']
 
 contains
 
@@ -82,6 +83,9 @@ contains
       call put(of_rolling_force, 'ln rolling_resistance', case%is_dimensional)
       call put(of_ratio, 'ln harmonic_ratio', case%responds())
       call put(of_phase, 'harmonic_phase', case%responds())
+      call put(of_marched_ratio, 'ln amplitude_ratio_fit', case%repeats())
+      call put(of_marched_phase, 'phase_fit', case%repeats())
+      call put(of_mean_film, film_name('mean film'), case%repeats())
       associate (touching => case%effects%touching%data)
          call put(of_share, 'ln touching_share', touching%is_given() .and. .not. touching%seeks_speed())
          call put(of_speed, 'ln mean_speed_m_per_s', touching%seeks_speed())

@@ -1,8 +1,8 @@
 !> The sensitivities of a case for people.
 module ehlwave_sensitivity_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_case_result, only: case_result_t, of_central_film, of_friction, of_minimum_film, of_ratio, &
-      of_rolling_coefficient, of_share, of_speed
+   use ehlwave_case_result, only: case_result_t, of_central_film, of_friction, of_marched_ratio, of_mean_film, &
+      of_minimum_film, of_ratio, of_rolling_coefficient, of_share, of_speed
    use ehlwave_kinds, only: dp
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -10,10 +10,10 @@ module ehlwave_sensitivity_report
    public :: print_sensitivities
 
    real(dp), parameter :: least = 0.005_dp    !! smaller ones are left out
-   integer, parameter :: shown(7) = [of_central_film, of_minimum_film, of_friction, of_rolling_coefficient, of_ratio, &
-                                     of_share, of_speed]
+   integer, parameter :: shown(9) = [of_central_film, of_minimum_film, of_friction, of_rolling_coefficient, of_ratio, &
+                                     of_share, of_speed, of_marched_ratio, of_mean_film]
    character(len=*), parameter :: names(size(shown)) = [character(len=18) :: 'H(0,0)', 'smallest film', 'friction', &
-      'rolling resistance', 'Ad/Ai', 'share of solids', 'mean speed']
+      'rolling resistance', 'Ad/Ai', 'share of solids', 'mean speed', 'Ad/Ai', 'mean film']
    integer, parameter :: in_a_line = 4
 
 contains

@@ -10,6 +10,7 @@ module ehlwave_periodic_state
    use ehlwave_lagrange, only: lagrange_weights
    use ehlwave_march_result, only: march_result_t
    use ehlwave_march_settings, only: march_settings_t
+   use ehlwave_march_watcher, only: march_watcher_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_rescue, only: rescue_t
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
@@ -43,8 +44,9 @@ module ehlwave_periodic_state
 contains
 
    !> From the coarsest of the levels that resolves the waves to the finest. All levels have their steady states of
-   !> smooth surfaces; they keep them, the finest has the last solution of the march if the state is found.
-   subroutine find(self, multigrid, settings, rescue, limits, largest_change, monitor)
+   !> smooth surfaces; they keep them, the finest has the last solution of the march if the state is found. With a
+   !> watcher the march on the finest level goes on to its last step, and the watcher sees each.
+   subroutine find(self, multigrid, settings, rescue, limits, largest_change, monitor, watcher)
       class(periodic_state_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout), target :: multigrid
       type(march_settings_t), intent(in) :: settings   !! settings of a march from rest on the finest grid
@@ -52,6 +54,7 @@ contains
       type(solve_limits_t), intent(in) :: limits       !! limits of a time step
       real(dp), intent(in) :: largest_change           !! change of a film that repeats, over A
       class(monitor_t), intent(inout) :: monitor
+      class(march_watcher_t), intent(inout), optional :: watcher
       type(known_waves_t) :: waves, coarse_waves
       type(march_settings_t) :: here
       type(solve_limits_t) :: coarse
@@ -87,9 +90,11 @@ contains
             given = level%given
             smooth = level%state
             self%is_found = .false.
-            if (l == n) coarse = limits
-            call march_level(self, multigrid, l, waves, here, t, coarse, largest_change*merge(1.0_dp, coarse_change, &
-               l == n), monitor)
+            if (l < n) then
+               call march_level(self, multigrid, l, waves, here, t, coarse, largest_change*coarse_change, monitor)
+            else
+               call march_level(self, multigrid, l, waves, here, t, limits, largest_change, monitor, watcher)
+            end if
             if (monitor%request /= go_on) return
             has_rest = self%is_found
             coarse_waves = waves
@@ -154,7 +159,7 @@ contains
    end function first_level
 
    !> March a level from `waves` at T = start until the film repeats, at most as many steps as a march from rest takes.
-   subroutine march_level(self, multigrid, l, waves, settings, start, limits, tolerance, monitor)
+   subroutine march_level(self, multigrid, l, waves, settings, start, limits, tolerance, monitor, watcher)
       class(periodic_state_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       integer, intent(in) :: l                         !! level
@@ -164,6 +169,7 @@ contains
       type(solve_limits_t), intent(in) :: limits       !! limits of a time step
       real(dp), intent(in) :: tolerance                !! tolerance of `change`
       class(monitor_t), intent(inout) :: monitor
+      class(march_watcher_t), intent(inout), optional :: watcher
       type(carried_change_t) :: carried
       real(dp), allocatable :: share(:, :)
       logical :: is_finest
@@ -176,18 +182,22 @@ contains
          self%repeats = settings%repeat_time(grid)
          is_finest = l == size(multigrid%levels)
          call carried%begin(grid, settings, share, multigrid%levels(l)%state%h)
+         if (present(watcher)) call watcher%see(multigrid%levels(l), 0, start)
          do k = 1, settings%steps
             call march%take_step(multigrid, limits)
             if (result%status /= status_converged) exit
+            if (present(watcher)) call watcher%see(multigrid%levels(l), k, result%time(k))
             call monitor%step_done('time step towards the periodic state', k, settings%steps)
             if (monitor%request /= go_on) exit
             call carried%see(k, multigrid%levels(l)%state%h)
-            if (.not. carried%is_known(k)) cycle
+            if (self%is_found .or. .not. carried%is_known(k)) cycle
             self%change = carried%largest(is_finest)/settings%amplitude()
             self%is_found = self%change <= tolerance
-            if (self%is_found .and. is_finest) call carried%correct(result%central_film(:k))
-            if (self%is_found) exit
+            if (present(watcher) .or. .not. self%is_found) cycle
+            if (is_finest) call carried%correct(result%central_film(:k))
+            exit
          end do
+         self%is_found = self%is_found .and. result%status == status_converged
          self%nonlinear_steps = self%nonlinear_steps + result%nonlinear_steps
          self%linear_steps = self%linear_steps + result%linear_steps
       end associate

@@ -38,6 +38,7 @@ module ehlwave_steady_tangent
    contains
       procedure :: init
       procedure :: stand
+      procedure :: move_to
       procedure :: solve
       procedure :: solve_transposed
    end type steady_tangent_t
@@ -73,6 +74,20 @@ contains
       end associate
    end subroutine stand
 
+   !> Linearise about another state, with data of its own, as of a time step.
+   subroutine move_to(self, level, given, state)
+      class(steady_tangent_t), intent(inout) :: self
+      type(level_t), intent(in) :: level   !! the finest
+      type(given_t), intent(in) :: given
+      type(state_t), intent(in) :: state   !! with its film
+      self%is_factorised = .false.
+      self%given = given
+      self%state = state
+      self%linear%inertia = given%load%inertia
+      call set_wedge(self%linear, given%transport)
+      call self%stand(level)
+   end subroutine move_to
+
    !> Change of the state whose weighted residuals change by b, with the cavitated nodes as they are.
    subroutine solve(self, levels, b, tolerance, change, in_single)
       class(steady_tangent_t), intent(inout) :: self
@@ -100,13 +115,14 @@ contains
       end associate
    end subroutine solve
 
-   !> Derivative by the weighted residuals of a result whose derivatives by P and H at the nodes are given.
-   subroutine solve_transposed(self, levels, q_weight, h_weight, tolerance, adjoint)
+   !> Derivative by the weighted residuals of a result whose derivatives by P, H and Delta are given.
+   subroutine solve_transposed(self, levels, q_weight, h_weight, tolerance, adjoint, delta_weight)
       class(steady_tangent_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)          !! levels of `init`: their deformation is used
       real(dp), intent(in) :: q_weight(0:, 0:), h_weight(0:, 0:)
       real(dp), intent(in) :: tolerance                          !! tolerance of the linear residual
       type(steady_adjoint_t), intent(out) :: adjoint
+      real(dp), intent(in), optional :: delta_weight             !! besides the film's
       real(dp), allocatable :: c(:)
 
       adjoint%work = -work_of(levels)
@@ -114,6 +130,7 @@ contains
          allocate (c(linear%n), adjoint%vector(linear%n))
          call linear%borrow(levels)
          call linear%state_weights(q_weight, h_weight, c)
+         if (present(delta_weight)) c(linear%n) = c(linear%n) + delta_weight
          linear%is_transposed = .true.
          call find(self, c, tolerance, adjoint%vector, adjoint%status, adjoint%linear_steps)
          linear%is_transposed = .false.

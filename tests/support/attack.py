@@ -8,7 +8,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from studies.programs import MPI_ENVIRONMENT, program
+from studies.programs import environment, program
 
 LONGEST_S = float(os.environ.get("EHLWAVE_LONGEST", "10"))   # processor time, whatever else the machine does
 LARGEST_MIB = 1024
@@ -54,7 +54,7 @@ def attack(name, *arguments, folder, stdout=None, limit_s=None):
     out, err = Path(folder, "attack.out"), Path(folder, "attack.err")
     limit_s = limit_s or 60*LONGEST_S
     with (open(stdout, "wb") if stdout else out.open("wb")) as output, err.open("wb") as errors:
-        process = subprocess.Popen(command, cwd=folder, env={**os.environ, **MPI_ENVIRONMENT}, stdin=subprocess.DEVNULL,
+        process = subprocess.Popen(command, cwd=folder, env=environment(0), stdin=subprocess.DEVNULL,
                                    stdout=output, stderr=errors, preexec_fn=_small_stack)
         end = time.monotonic() + limit_s
         while True:

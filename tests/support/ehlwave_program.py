@@ -7,7 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from studies.programs import MPI_ENVIRONMENT, is_open_mpi, last_line, mpi_command, namelist, paper_edges, run, solve
+from studies.programs import MPI_ENVIRONMENT, ONE_RANK, environment, is_open_mpi, last_line, mpi_command, namelist, paper_edges, run, solve
 
 __all__ = [
     "EIGHT_CASES",
@@ -19,6 +19,7 @@ __all__ = [
     "SKIPPED",
     "TestCase",
     "VERSION",
+    "environment",
     "is_open_mpi",
     "last_line",
     "mpi_command",
@@ -33,8 +34,6 @@ HANGS_S = float(os.environ.get("EHLWAVE_HANGS_S", "3600"))/2   # a program that 
 SKIPPED = 77
 VERSION = re.search(r"project\(ehlwave VERSION (\S+)", (Path(__file__).parents[2]/"CMakeLists.txt").read_text())[1]
 IS_LONG = os.environ.get("EHLWAVE_LONG_TESTS", "0") != "0"   # scripts/test --long: more of the same
-ONE_RANK = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self"}
-"""Environment in which Open MPI starts a sweep without a launcher in a third of the time: no daemon, no network."""
 EIGHT_CASES = {
     "sweep": {"load_parameter_m": [20, 25, 30, 35], "lubricant_parameter_l": 5, "radius_ratio_d": [1, 0.5], "output": "results.h5"},
     "grid": {"cells_x": 32, "cells_y": 32},

@@ -18,7 +18,7 @@ import time
 from pathlib import Path
 
 from bad_days import BadDays
-from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, mpi_command, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, environment, mpi_command, namelist
 from faults import Faults
 from hdf5_reading import read
 from store_reading import finished
@@ -163,7 +163,7 @@ class Torture:
                 raise AssertionError(f"case {identity} was overwritten")
         self.held = now
         outcome = subprocess.run([os.environ["EHLWAVE_SWEEP"], "--status", str(store)], capture_output=True, text=True,
-                                 env={**os.environ, **MPI_ENVIRONMENT}, check=False)
+                                 env=environment(0), check=False)
         if (store/"cases").exists():
             if outcome.returncode not in (*FINISHED, UNFINISHED):
                 raise AssertionError(f"--status: {outcome.returncode} {outcome.stdout} {outcome.stderr}")

@@ -9,7 +9,7 @@ from collections import Counter
 from pathlib import Path
 
 from drawn_names import Scene, snapshot
-from ehlwave_program import IS_LONG, ONE_RANK, namelist, report, run
+from ehlwave_program import IS_LONG, namelist, report, run
 
 REFUSED, UNFINISHED = 2, 85
 GRID = {"cells_x": 16, "cells_y": 16}
@@ -18,7 +18,6 @@ ROWS = "load_parameter_m,lubricant_parameter_l,radius_ratio_d\n20,5,1\n"
 DRAWS = {"case": 2000, "sweep": 2000} if IS_LONG else {"case": 150, "sweep": 40}
 SUFFIXES = [".h5"]*5 + [".csv", ".txt", ".store", ""]
 SEED = int(os.environ.get("EHLWAVE_SEED", "33"))
-os.environ.update(ONE_RANK)
 
 
 class Destruction(unittest.TestCase):

@@ -1,19 +1,17 @@
 """A store of which a file is lost, cut short or of another store: the numbers of before, or a reason; never other physics."""
 
-import os
 import shutil
 import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import IS_LONG, ONE_RANK, namelist, run
+from ehlwave_program import IS_LONG, namelist, run
 from hdf5_reading import read
 
 REFUSED, UNFINISHED = 2, 85
 SWEEP = {"sweep": {"load_parameter_m": [20, 25, 30], "lubricant_parameter_l": 5, "radius_ratio_d": 1, "output": "r.h5"},
          "grid": {"cells_x": 16, "cells_y": 16}, "output": {"fields": True}}
 TRUNCATED = {**SWEEP, "grid": {**SWEEP["grid"], "edges": "truncated"}}
-os.environ.update(ONE_RANK)
 
 
 class LostFiles(unittest.TestCase):
@@ -87,7 +85,7 @@ class LostFiles(unittest.TestCase):
             (self.store/"defaults").unlink()
             make()
             text = self.sweep("sweep.nml")
-            self.assertIn("3 of 3 cases are in the store already, 0 to run", text)
+            self.assertIn("3 of 3 cases found in the store, 0 to run", text)
             self.assertIn("had lost its file defaults", text)
             self.assertNotIn("truncated", text)
             self.assertEqual((self.store/"defaults").read_text(), (self.whole/"r.store"/"defaults").read_text())

@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 from attack import LONGEST_S, REFUSED, attack
-from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, FolderTest, mpi_command, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, FolderTest, environment, mpi_command, namelist
 from hdf5_reading import read
 from store_reading import finished
 
@@ -88,7 +88,7 @@ class OddFiles(FolderTest):
         self.assertIn("3: 2 finished, 1 left", self.run_program("sweep", "--status", "results.h5", status=UNFINISHED))
         text = self.run_program("sweep", "sweep.nml")
         self.assertEqual(text.count("damaged"), 1)
-        self.assertIn("2 of 3 cases are in the store already, 1 to run", text)
+        self.assertIn("2 of 3 cases found in the store, 1 to run", text)
         self.assertIn("0 to run", self.run_program("sweep", "sweep.nml"))
         _, after = read(self.folder/"results.h5")
         self.assertEqual(list(after["run"]), [2, 1, 1])
@@ -120,7 +120,7 @@ class OddFiles(FolderTest):
         self.log().unlink()
         large()
         said = self.run_program("sweep", "sweep.nml", longest_s=10*LONGEST_S)   # it reads 2.3 GiB
-        self.assertIn("3 of 3 cases are in the store already", said)
+        self.assertIn("3 of 3 cases found in the store", said)
 
     def test_pipe_as_input(self):
         os.mkfifo(self.folder/"pipe.nml")
@@ -134,7 +134,7 @@ class OddFiles(FolderTest):
         self.run_program("sweep", "sweep.nml")
         self.log().rename(self.log().with_name("999999-000000.log"))
         (self.folder/"sweep.nml").write_text(namelist({**SWEEP, "sweep": {**SWEEP["sweep"], "radius_ratio_d": [1, 0.5]}}))
-        self.assertIn("3 of 6 cases are in the store already", self.run_program("sweep", "sweep.nml"))
+        self.assertIn("3 of 6 cases found in the store", self.run_program("sweep", "sweep.nml"))
         self.assertEqual(sorted(path.name for path in self.log().parent.iterdir()), ["1000000-000000.log", "999999-000000.log"])
         self.assertIn("0 to run", self.run_program("sweep", "sweep.nml"))
 
@@ -167,7 +167,7 @@ class OddFiles(FolderTest):
         reading, writing = os.pipe()
         os.close(reading)
         process = subprocess.Popen([os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=self.folder, stdout=writing,
-                                   stderr=subprocess.DEVNULL, env={**os.environ, **MPI_ENVIRONMENT})
+                                   stderr=subprocess.DEVNULL, env=environment(0))
         os.close(writing)
         self.assertEqual(process.wait(timeout=HANGS_S), 0)
         self.assertEqual(len(finished(self.folder/"results.store")), 3)

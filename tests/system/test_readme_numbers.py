@@ -92,7 +92,8 @@ def top_level():
 
 
 def one_contact():
-    return [("is {} to {} times cheaper for waves across the motion (M = 100", [min(across()), max(across())])]
+    return [("is {} to {} times cheaper for waves across the motion (M = 100", [min(across()), max(across())]),
+            ("It is {} times cheaper for longitudinal waves", small_waves("factor", orientation="longitudinal"))]
 
 
 SURFACES = {"ground": "ground-like map, Rq 30 nm", "dent": "dent, 60 nm", "ridge": "ridge, 50 nm", "sputtered": "sputtered pattern, 145 nm"}

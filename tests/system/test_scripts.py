@@ -124,7 +124,7 @@ class Scripts(FolderTest):
         (self.folder/"stubs"/"cmake").write_text("#!/bin/sh\necho configured\n")
         (self.folder/"stubs"/"cmake").chmod(0o755)
         self.check_status(self.call("build"))
-        for character in '#[];"\\':
+        for character in '#[];"\\$*?|<>':
             with self.subTest(character=character):
                 tree = self.folder/f"a{character}b"
                 shutil.copytree(self.folder/"tree"/"scripts", tree/"scripts")
@@ -132,6 +132,13 @@ class Scripts(FolderTest):
                 self.check_status(outcome, 2)
                 self.assertEqual(outcome.stdout, "")
                 self.assertRegex(outcome.stderr, rf"^build: [^\n]* has the character {re.escape(character)} in its path[^\n]*\n$")
+                if character == "\\":
+                    continue  # CMake takes it for a slash
+                shutil.copy(ROOT/"CMakeLists.txt", tree)
+                outcome = subprocess.run(["cmake", "-S", tree, "-B", self.folder/f"of {ord(character)}"], capture_output=True, text=True, check=False)
+                self.assertNotEqual(outcome.returncode, 0)
+                self.assertIn(f"has the character {character} in", " ".join(outcome.stderr.split()))
+                self.assertNotIn("HDF5", outcome.stderr + outcome.stdout)
 
     def test_unknown_options(self):
         for script in all_scripts():

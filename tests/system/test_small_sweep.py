@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, FolderTest, mpi_command, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, FolderTest, environment, mpi_command, namelist
 from store_reading import finished
 
 TABLE = """load_parameter_m,radius_ratio_d,orientation,wavelength_over_a,response,slip_parameter,method,end_time
@@ -51,11 +51,11 @@ class SmallSweep(FolderTest):
         said, _ = process.communicate(timeout=HANGS_S)
         self.assertEqual(process.returncode, 0, said)
         self.assertNotRegex(said, COMPLAINTS)
-        self.assertIn(f"{held} of {CASES} cases are in the store already", said)
+        self.assertIn(f"{held} of {CASES} cases found in the store", said)
         self.assertEqual(len(finished(self.folder/"results.store")), CASES)
         for option in ("--status", "--plan"):
             outcome = subprocess.run([os.environ["EHLWAVE_SWEEP"], option, "results.h5" if option == "--status" else "sweep.nml"],
-                                     cwd=self.folder, env={**os.environ, **MPI_ENVIRONMENT}, capture_output=True, text=True,
+                                     cwd=self.folder, env=environment(0), capture_output=True, text=True,
                                      check=False)
             self.check_status(outcome)
             self.assertNotRegex(outcome.stdout + outcome.stderr, COMPLAINTS)

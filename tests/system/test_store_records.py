@@ -10,7 +10,7 @@ import unittest
 import zlib
 from pathlib import Path
 
-from ehlwave_program import EIGHT_CASES, IS_LONG, MPI_ENVIRONMENT, namelist, run
+from ehlwave_program import EIGHT_CASES, IS_LONG, environment, namelist, run
 from hdf5_reading import read
 from store_reading import finished, records
 from torture import CIRCUMSTANCES
@@ -64,10 +64,10 @@ class StoreRecords(unittest.TestCase):
     def check(self, logs, lost=()):
         """The store has all cases but those lost, and the next run makes the same results of it."""
         copy = self.write(logs)
-        outcome = subprocess.run([os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=copy, env={**os.environ, **MPI_ENVIRONMENT},
+        outcome = subprocess.run([os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=copy, env=environment(0),
                                  capture_output=True, text=True, check=False)
         self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
-        self.assertIn(f"{len(self.cases) - len(lost)} of {len(self.cases)} cases are in the store already", outcome.stdout)
+        self.assertIn(f"{len(self.cases) - len(lost)} of {len(self.cases)} cases found in the store", outcome.stdout)
         columns = read(copy/"results.h5")[1]
         self.assertEqual(set(columns), set(self.columns))
         kept = [identity not in lost for identity in columns["case_id"]]

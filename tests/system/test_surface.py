@@ -1,5 +1,6 @@
 """A measured surface in the full simulation: reading, refusals, computation and output."""
 
+import errno
 import math
 import os
 import unittest
@@ -39,6 +40,15 @@ class Surfaces(FolderTest):
         inputs = {"conditions": CONTACT, "surface": {"file": "s.h5"}, "grid": GRID, **groups}
         Path(self.folder, "case.nml").write_text(namelist({name: keys for name, keys in inputs.items() if keys}))
         return run("case", "case.nml", *arguments, folder=self.folder)
+
+    @unittest.skipUnless(os.environ.get("EHLWAVE_FAULTS"), "no library to preload")
+    def test_a_file_system_that_refuses_locks(self):
+        """A surface is read as elsewhere; only a lock that somebody holds counts."""
+        self.write([ridge()])
+        for error in (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL):
+            refused = {"LD_PRELOAD": os.environ["EHLWAVE_FAULTS"], "EHLWAVE_FAULT": f"lock 1 {error} 1000000 s.h5"}
+            with mock.patch.dict(os.environ, refused):
+                self.check_status(self.run_case("--plan"))
 
     def test_files_that_another_program_holds(self):
         """A surface that is being written is refused with the way out; results that somebody has open are replaced."""

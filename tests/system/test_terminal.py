@@ -1,19 +1,17 @@
 """Nothing that a terminal would obey comes from names, inputs, results or stores to it."""
 
-import os
 import shutil
 import subprocess
 import unittest
 import zlib
 from pathlib import Path
 
-from ehlwave_program import ONE_RANK, VERSION, FolderTest, namelist, run
+from ehlwave_program import VERSION, FolderTest, namelist, run
 
 SWEEP = {"sweep": {"load_parameter_m": [20, 25], "lubricant_parameter_l": 5, "radius_ratio_d": 1}, "grid": {"cells_x": 16, "cells_y": 16}}
 ROOT = Path(__file__).parents[2]
 HARM = "\x1b]0;owned\x07\x1b[2J\x9b31m"
 UNPRINTABLE = {*range(32), 127, *range(128, 160)} - {10}
-os.environ.update(ONE_RANK)
 
 
 class Terminal(FolderTest):

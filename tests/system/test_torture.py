@@ -13,8 +13,8 @@ from torture import inject, spoil_days, torture
 CASES = (160, 640, 2560)   # as many as it takes for the sweep not to be over before it is disturbed
 DISTURBANCES = 7 if IS_LONG else 4
 FEWEST = 4 if IS_LONG else 3
-FAULTS = 24 if IS_LONG else 10
-DAYS = 10 if IS_LONG else 2   # days of each mode
+FAULTS = 24 if IS_LONG else 7
+DAYS = 10 if IS_LONG else 1   # days of each mode
 
 
 class Torture(unittest.TestCase):

@@ -80,6 +80,7 @@ class Stress(FolderTest):
     def test_rolling(self):
         self.compare(1.0)
 
+    @unittest.skipUnless(IS_LONG, "EHLWAVE_LONG_TESTS is not set")
     def test_faster_rough_body(self):
         self.compare(1.2)
 

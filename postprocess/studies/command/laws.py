@@ -5,12 +5,15 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from studies.command import steps
-from studies.command.options import at_once, flag, given, option, output, study
+from studies.command.options import at_once, choices, flag, given, option, output, study
 
 GROUPS = ("lines", "points", "bearings", "thick")
 """Sweeps of the studies of heat."""
-ENDS = ("light", "soft", "soft_points")
-"""Sweeps of the study of their ends."""
+ENDS = (
+    *("light", "soft", "soft_points", "light_again", "light_fresh", "rigid", "soft_ellipses"),
+    *("thick_ellipses", "oily", "oily_rolling"),
+)
+"""Groups of contacts of the study of their ends."""
 
 
 def _sweep_warm_and_cold(folder: Path, names: Sequence[str]) -> None:
@@ -82,25 +85,27 @@ def heat(options: argparse.Namespace) -> int:
     "heat-ends",
     output("heat-ends"),
     at_once(),
-    option("--light", "COUNT", "light line contacts (default 100)", 100),
-    option("--soft", "COUNT", "lines with a small Eyring stress (default 60)", 60),
-    option("--soft-points", "COUNT", "ellipses with a small Eyring stress (default 24)", 24),
+    choices("--group", ENDS, "group of contacts (default: all)"),
+    option("--contacts", "COUNT", "contacts of each group (default: as in the record)"),
 )
 def heat_ends(options: argparse.Namespace) -> int:
     """Judge laws of heat at ends of their ranges; fit friction of light lines.
 
-    Computes light line contacts with films up to 7.5 Hertz approaches, and oils with Eyring
-    stresses of 1 to 2 MPa, with and without heat. Fits the friction of light lines, contacts held
-    out. Three minutes on one core. Writes ends.csv, ends_coverage.csv and ends_law.csv, whose
-    coefficients are those of ehlwave.laws.light_lines.
+    Computes contacts with and without heat: light lines with films up to 7.5 Hertz approaches, also
+    drawn again; rolling lines too light to deform; oils with Eyring stresses of 1 to 2 MPa; thick
+    films of ellipses; lines with L of 20 to 42. Fits the friction of light lines,
+    contacts held out. Other groups judge alone. Half an hour on one core. Groups that have been
+    computed are reported. Writes ends.csv, ends_coverage.csv and ends_law.csv, whose coefficients
+    are those of ehlwave.laws.light_lines.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
     steps.prepare()
     folder = options.output
-    counts = given(options, "light", "soft", "soft-points")
-    steps.python("heat_ends", "cases", folder, *counts)
-    _sweep_warm_and_cold(folder, ENDS)
+    names = options.group or ENDS
+    words = [word for name in names for word in ("--group", name)]
+    steps.python("heat_ends", "cases", folder, *words, *given(options, "contacts"))
+    _sweep_warm_and_cold(folder, names)
     return steps.report("heat_ends", "report", folder)
 
 

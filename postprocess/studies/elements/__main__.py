@@ -7,6 +7,7 @@ import sys
 import warnings
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from itertools import takewhile
 from pathlib import Path
 
 import numpy as np
@@ -15,12 +16,14 @@ from studies.command import checks
 from studies.command.options import step_parser
 from studies.elements.answers import MOST_PLACES, Answer, by_both, by_laws, by_program
 from studies.elements.draw import KINDS
-from studies.judged.runs import kept
+from studies.judged.runs import kept, read_rows
 from studies.sweeps import Row, run_command, write_rows
 
 ANSWERED, WITHIN = 0.98, 0.95
 """Least share of elements that are answered, and of films and friction within their errors."""
 VALUES = ("central", "minimum", "friction")
+POINTS = ("DeepGrooveBallBearing", "AngularContactBallBearing", "BallOnDisc", "MiniTraction")
+"""Kinds with elliptical contacts."""
 
 
 def refused(rows: Sequence[Row]) -> list[int]:
@@ -34,7 +37,10 @@ def refused(rows: Sequence[Row]) -> list[int]:
 
 
 def sample(rows: Sequence[Row], each: int) -> list[int]:
-    """Return contacts that a law answers: a random one of each of the first elements of a kind."""
+    """Return contacts that a law answers: a random one of each of the first elements of a kind.
+
+    Lines come first.
+    """
     found, counts = [], Counter[str]()
     for row in rows:
         known = [place["place"] for place in row["places"] if "reason" not in place]
@@ -43,7 +49,12 @@ def sample(rows: Sequence[Row], each: int) -> list[int]:
         counts[row["kind"]] += 1
         place = int(np.random.default_rng([row["number"]]).choice(known))
         found.append(MOST_PLACES * row["number"] + place)
-    return found
+    return sorted(found, key=lambda number: _is_point(rows, number))
+
+
+def _is_point(rows: Sequence[Row], number: int) -> bool:
+    """Return whether a contact is a point, which takes longer to compute than a line."""
+    return rows[number // MOST_PLACES]["kind"] in POINTS
 
 
 def times(row: Row, name: str) -> float:
@@ -55,19 +66,26 @@ def times(row: Row, name: str) -> float:
     return float(abs(law[name] / case[name] - 1) / most)
 
 
+def contact(row: Row) -> Row:
+    """Return a compared contact: differences over both errors, by value."""
+    found = {name: row[name] for name in ("number", "kind", "m", "l", "d", "slip")}
+    found |= {name: times(row, name) for name in VALUES}
+    return found | {"reason": row["case"].get("reason")}
+
+
 def summary(rows: Sequence[Row], computed: Mapping[int, Answer]) -> list[Row]:
     """Return per kind the shares of elements answered by laws, and by laws or computed.
 
-    The latter is the share of those elements whose refused contacts have all been computed.
+    The latter is the share of the first elements, up to one with a refused contact that has not
+    been computed.
     """
-    return [
-        _shares(kind, [row for row in rows if row["kind"] == kind], computed) for kind in KINDS
-    ]
+    kinds = {kind: [row for row in rows if row["kind"] == kind] for kind in KINDS}
+    return [_shares(kind, own, computed) for kind, own in kinds.items() if own]
 
 
 def _shares(kind: str, rows: Sequence[Row], computed: Mapping[int, Answer]) -> Row:
     left = [refused([row]) for row in rows]
-    tried = [own for own in left if all(number in computed for number in own)]
+    tried = list(takewhile(lambda own: all(number in computed for number in own), left))
     answered = [all("reason" not in computed[number] for number in own) for own in tried]
     contacts = sum(len(row["places"]) for row in rows)
     return {
@@ -117,10 +135,13 @@ def _run(options: argparse.Namespace) -> int:
     rows = kept(folder / "laws.jsonl", range(len(KINDS) * options.elements), by_laws, 1)
     for reason, number in reasons(rows).most_common(20):
         print(number, reason, flush=True)
-    numbers = sample(rows, options.contacts)
-    judged = compared(kept(folder / "compared.jsonl", numbers, by_both, 1))
-    numbers = refused(rows)[: options.computed]
-    done = kept(folder / "computed.jsonl", numbers, by_program, 1)
+    if not options.report:
+        kept(folder / "compared.jsonl", sample(rows, options.contacts), by_both, 1)
+        kept(folder / "computed.jsonl", refused(rows)[: options.computed], by_program, 1)
+    beside = read_rows(folder / "compared.jsonl")
+    write_rows(folder / "contacts.csv", [contact(row) for row in beside], digits=4)
+    judged = compared(beside)
+    done = read_rows(folder / "computed.jsonl")
     table = summary(rows, {row["number"]: row for row in done})
     write_rows(folder / "elements.csv", table, digits=4)
     write_rows(folder / "compared.csv", judged, digits=4)

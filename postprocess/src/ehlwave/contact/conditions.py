@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from ehlwave.contact.equality import equal_fields
 from ehlwave.contact.formula import v
 from ehlwave.contact.line_contact import (
     SLENDER_OVER_LINE,
@@ -100,6 +101,7 @@ class Conditions:
     film_ratio: float = 1.0
     given: tuple[tuple[str, float], ...] = field(default=(), repr=False, compare=False)
     names: tuple[tuple[str, str, float], ...] = field(default=(), repr=False, compare=False)
+    __eq__ = equal_fields
 
     @property
     def semi_axis_b_m(self) -> float:

@@ -10,6 +10,7 @@ from typing import Any
 
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.data_sheet import Oil
+from ehlwave.contact.equality import equal_fields
 from ehlwave.elements.hertz import hertz_line, hertz_point, reduced_modulus, reduced_radius
 from ehlwave.errors import RangeError
 from ehlwave.operating_point import Contact
@@ -63,6 +64,7 @@ class ElementContact:
     name: str = ""
     others: Mapping[str, float] = field(default_factory=dict)
     options: Mapping[str, Any] = field(default_factory=dict)
+    __eq__ = equal_fields
 
     @property
     def radius_x_m(self) -> float:
@@ -140,6 +142,8 @@ class ElementContact:
             In place of its own.
         """
         first, second = self.speeds_m_per_s
+        if first == second == 0:
+            raise RangeError("both surfaces stand still past the contact, which draws no oil in")
         if self.is_opposite or first + second == 0:
             raise RangeError(
                 f"surface speeds of {first:.4g} and {second:.4g} m/s: the surfaces move in "

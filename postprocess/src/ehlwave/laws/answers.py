@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from ehlwave.contact.equality import equal_fields
 from ehlwave.shown import html_table, micrometres, within
 
 if TYPE_CHECKING:
@@ -71,6 +72,7 @@ class Film:
     rolling_resistance: float | None = None
     rolling_resistance_error: float | None = None
     warnings: tuple[str, ...] = ()
+    __eq__ = equal_fields
 
     def _repr_html_(self) -> str:
         rows = {}

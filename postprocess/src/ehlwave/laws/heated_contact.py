@@ -10,7 +10,10 @@ from ehlwave.laws.heat_laws import LOWEST_RATIO, RANGES, Heated, loading_of, war
 from ehlwave.laws.light_lines import LIGHT
 from ehlwave.laws.rigid_lines import LOWEST_M
 
-ROLLING_RANGES = RANGES | {
+EYRING_PA = (1e6, RANGES["eyring_stress_pa"][1])
+POINT_RANGES = RANGES | {"eyring_stress_pa": EYRING_PA}
+"""Ranges of elliptical contacts that slide."""
+ROLLING_RANGES = POINT_RANGES | {
     "load_parameter_m": inlet.M_RANGE,
     "lubricant_parameter_l": inlet.L_RANGE,
     "hertz_pressure_pa": (3e8, 3.5e9),
@@ -23,14 +26,15 @@ LINE_RANGES = RANGES | {
     "load_parameter_m": (LIGHT.load_parameter_m[0], RANGES["load_parameter_m"][1]),
     "hertz_pressure_pa": LIGHT.hertz_pressure_pa,
     "film over Hertz approach": LIGHT.film_over_approach,
-    "eyring_stress_pa": (1e6, RANGES["eyring_stress_pa"][1]),
+    "eyring_stress_pa": EYRING_PA,
+    "lubricant_parameter_l": (RANGES["lubricant_parameter_l"][0], 30.0),
 }
 """Ranges of line contacts that slide."""
 LINE_ROLLING_RANGES = ROLLING_RANGES | {
     "load_parameter_m": (LOWEST_M, inlet.M_RANGE[1]),
     "hertz_pressure_pa": (0.0, ROLLING_RANGES["hertz_pressure_pa"][1]),
     "film over Hertz approach": (0.0, np.inf),
-    "eyring_stress_pa": LINE_RANGES["eyring_stress_pa"],
+    "lubricant_parameter_l": (inlet.L_RANGE[0], 35.0),
 }
 """Ranges of line contacts in pure rolling."""
 
@@ -96,7 +100,7 @@ def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float |
     if conditions.is_line:
         ranges = LINE_ROLLING_RANGES if rolls else LINE_RANGES
     else:
-        ranges = ROLLING_RANGES if rolls else RANGES
+        ranges = ROLLING_RANGES if rolls else POINT_RANGES
     for name, found in values.items():
         low, high = ranges[name]
         for value in found:

@@ -30,8 +30,8 @@ OUTLET = 0.4753868
 PLACES, PRESSURES, LARGEST_ALPHA_P = 1001, 2001, 200.0
 DEFORMED, ERROR, ERROR_BY_DEFORMATION = 0.6, 0.015, 0.4
 """Growth of the film by deformation, times the Hertz approach over the film; error of the film, and
-its part in this growth: 15 contacts of ehlwave-case, M = 0.06 to 0.4 and L = 2 to 20, are within.
-All three were set on these contacts.
+its part in this growth. All three were set on 15 contacts of ehlwave-case, M = 0.06 to 0.4 and
+L = 2 to 20; 54 drawn afresh, M = 0.02 to 0.4 and L = 2 to 25, are within 0.21 times the error.
 """
 
 

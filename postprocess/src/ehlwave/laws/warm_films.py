@@ -35,7 +35,8 @@ def smallest_factor(
     """Return the ratio of the smallest to the central film, over this ratio without heat.
 
     exp[c1 (1 + c2 e) (1 - f)^c3 H^c4] / [1 + c5 (1 + c6 e) w^c7], f the factor of the
-    inlet, :func:`ehlwave.laws.inlet_warming.inlet_factor`.
+    inlet, :func:`ehlwave.laws.inlet_warming.inlet_factor`. Films thicker than the Hertz approach
+    lose their constriction: where H is above 1, the first exponent is over 1 + (H - 1)^2.
 
     Parameters
     ----------
@@ -60,6 +61,7 @@ def smallest_factor(
     f, w, h = (np.asarray(value, dtype=np.float64) for value in (inlet, warmth, film_over_approach))
     e = 1 - np.asarray(is_line, dtype=np.float64)
     nearer = c[0] * (1 + c[1] * e) * np.maximum(1 - f, 0) ** c[2] * h ** c[3]
+    nearer = nearer / (1 + np.maximum(h - 1, 0) ** 2)
     return np.asarray(np.exp(nearer) / (1 + c[4] * (1 + c[5] * e) * w ** c[6]))
 
 

@@ -1,0 +1,66 @@
+"""The study of random elements: which contacts are computed, and the shares that it reports."""
+
+import math
+from pathlib import Path
+
+import pytest
+
+from studies.elements.__main__ import compared, refused, sample, summary, times
+from studies.elements.answers import by_laws
+from studies.elements.draw import KINDS, places
+
+KIND, POINT = "SpurGearPair", "BallOnDisc"
+KNOWN, MISSING = {"central": 1.0, "friction": 0.0}, {"reason": "outside"}
+
+
+def row(number: int, kind: str, *found: dict[str, object]) -> dict[str, object]:
+    return {
+        "number": number,
+        "kind": kind,
+        "places": [{"place": index} | one for index, one in enumerate(found)],
+    }
+
+
+ROWS = [
+    row(0, POINT, KNOWN),
+    row(1, KIND, KNOWN, MISSING),
+    row(2, KIND, MISSING, MISSING),
+    row(3, KIND, KNOWN),
+    row(4, KIND, KNOWN, MISSING),
+]
+
+
+def test_contacts_to_compute_and_to_compare() -> None:
+    assert refused(ROWS) == [101, 200, 201, 401]
+    assert sample(ROWS, 2) == [100, 300, 0]  # lines first
+    assert sample(ROWS, 0) == []
+
+
+def test_shares_count_the_first_elements_all_of_whose_contacts_were_tried() -> None:
+    found = {101: KNOWN, 200: KNOWN, 201: MISSING}
+    gear = next(one for one in summary(ROWS, found) if one["element"] == KIND)
+    assert gear["elements"] == 4
+    assert (gear["contacts"], gear["contacts_by_law"]) == (7, 3)
+    assert gear["elements_by_law"] == 0.25
+    assert (gear["elements_tried"], gear["elements_answered"]) == (3, pytest.approx(2 / 3))
+    gear = next(one for one in summary(ROWS, {101: KNOWN, 401: KNOWN}) if one["element"] == KIND)
+    assert (gear["elements_tried"], gear["elements_answered"]) == (1, 1.0)
+
+
+def test_errors_of_law_and_program_add() -> None:
+    law = {"central": 1.1, "central_error": 0.05, "friction": 0.0, "friction_error": 0.0}
+    case = {"central": 1.0, "central_error": 0.03}
+    judged = {"kind": KIND, "slip": 0.0, "law": law, "case": case}
+    assert times(judged, "central") == pytest.approx(0.1 / 0.08)
+    assert math.isnan(times(judged, "friction"))
+    assert [one["within"] for one in compared([judged])] == [0.0, 0.0]
+
+
+def test_an_element_of_each_kind_is_the_same_again() -> None:
+    for number, kind in enumerate(KINDS):
+        drawn, again = places(number)[1], places(number)[1]
+        assert [one.load_n for one in drawn] == [one.load_n for one in again]
+        assert places(number)[0] == kind
+    found = by_laws(2, Path())
+    assert found["kind"] == "CylindricalRollerBearing"
+    assert len(found["places"]) == 4
