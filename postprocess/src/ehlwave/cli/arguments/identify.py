@@ -16,6 +16,8 @@ EPILOG = """\
 MEASUREMENTS is a CSV table. Columns are keys that vary (mean_speed_m_per_s, load_n,
 slide_to_roll_ratio, wavelength_over_a, ...), temperature_c or temperature_k, and measured results:
 central_film_um, minimum_film_um (or _nm, _m), friction_coefficient, harmonic_ratio (Ad/Ai).
+Headings of rigs are read, too: Entrainment speed (mm/s), SRR (%), Load (N), Temperature (C),
+Film thickness (nm), Minimum film thickness (nm), Traction coefficient.
 A column such as central_film_error has relative standard errors.
 
 Parameters: alpha, viscosity, eyring_stress, carreau_modulus, roelands, modulus,
