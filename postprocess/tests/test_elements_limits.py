@@ -72,10 +72,11 @@ def test_the_most_loaded_place_is_among_the_angles(points: int) -> None:
 @pytest.mark.parametrize("speeds", [(0.0, 0.0), (1000.0, 1000.0)])
 def test_rings_that_turn_together_are_refused(speeds: tuple[float, float]) -> None:
     inner, outer = speeds
+    given = {"radial_load_n": 3000, "inner_speed_rpm": inner, "outer_speed_rpm": outer, "oil": OIL}
     with pytest.raises(ehlwave.SurfaceError, match="no contact rolls"):
-        bearing().over_load_zone(
-            radial_load_n=3000, inner_speed_rpm=inner, outer_speed_rpm=outer, oil=OIL
-        )
+        bearing().over_load_zone(**given)
+    with pytest.raises(ehlwave.RangeError, match="both surfaces stand still"):
+        _ = bearing().contacts(**given)[0].contact
 
 
 def test_a_turning_outer_ring_is_a_turning_inner_ring_for_the_contacts() -> None:

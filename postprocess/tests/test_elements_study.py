@@ -36,13 +36,15 @@ def test_contacts_to_compute_and_to_compare() -> None:
     assert sample(ROWS, 0) == []
 
 
-def test_shares_count_elements_all_of_whose_contacts_were_tried() -> None:
+def test_shares_count_the_first_elements_all_of_whose_contacts_were_tried() -> None:
     found = {101: KNOWN, 200: KNOWN, 201: MISSING}
     gear = next(one for one in summary(ROWS, found) if one["element"] == KIND)
     assert gear["elements"] == 4
     assert (gear["contacts"], gear["contacts_by_law"]) == (7, 3)
     assert gear["elements_by_law"] == 0.25
     assert (gear["elements_tried"], gear["elements_answered"]) == (3, pytest.approx(2 / 3))
+    gear = next(one for one in summary(ROWS, {101: KNOWN, 401: KNOWN}) if one["element"] == KIND)
+    assert (gear["elements_tried"], gear["elements_answered"]) == (1, 1.0)
 
 
 def test_errors_of_law_and_program_add() -> None:

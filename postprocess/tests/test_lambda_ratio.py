@@ -145,7 +145,7 @@ def test_where_it_is_extrapolated_python_warns_at_the_line_of_the_call() -> None
 def test_report_and_json_say_so_with_an_error_that_includes_it(tmp_path: Path) -> None:
     result = deformed(noise(np.random.default_rng(1)), **at_speed(0.1))
     said = report_text(result)
-    assert re.search(r"error of the latter above 100 %: film .* \(extrapolated\)", said)
+    assert re.search(r"error of the latter \d{3,} %: film .* \(extrapolated\)", said)
     assert "surfaces touch: no smallest film" in said
     assert "not used at this amplitude" in said
     document = json.loads(report_json(result))["statistics"]

@@ -156,3 +156,11 @@ def test_starved_points_are_remarked(tmp_path: Path) -> None:
     film[:3] = 0.7
     said = remarks(points.assign(film_over_flooded=("case", film)))
     assert any(text.startswith("3 point(s) with too little oil") for text in said)
+
+
+def test_points_of_other_edges_are_named(tmp_path: Path) -> None:
+    results = _read(tmp_path, make_columns())
+    found = str(results["edges"].values[0])
+    other = next(name for name in ("flooded", "truncated") if name != found)
+    with pytest.raises(ResultsError, match=rf"all \d+ have other edges of the domain than {other}"):
+        select_points(results, edges=other)

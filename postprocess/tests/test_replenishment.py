@@ -193,7 +193,7 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(words) == 0
     text = capsys.readouterr().out
     assert "extrapolated" in text
-    assert "No oil comes back" in text
+    assert "no oil comes back to the track" in text
     assert main([*words[:-1], "1e-6"]) == 2
     assert "track length" in capsys.readouterr().err
     assert main([*words[:2], *keys, "--track-length", "0.3"]) == 2

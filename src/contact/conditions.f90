@@ -83,6 +83,16 @@ contains
       type(conditions_t), intent(out) :: self
       type(error_t), allocatable, intent(out) :: error
 
+      call set_moes(m, l, d, alpha_per_pa, self, error)
+      if (.not. allocated(error)) call check_range(self, error)
+   end subroutine conditions_from_moes
+
+   !> Conditions from the Moes parameters; loads beyond the model are left to `check_range`.
+   subroutine set_moes(m, l, d, alpha_per_pa, self, error)
+      real(dp), intent(in) :: m, l, d, alpha_per_pa
+      type(conditions_t), intent(inout) :: self
+      type(error_t), allocatable, intent(inout) :: error
+
       if (.not. (m > 0)) then
          call raise(error, 'load_parameter_m must be above 0, got '//to_text(m, 6))
       else if (.not. (l >= 0)) then
@@ -104,26 +114,33 @@ contains
       else
          call set_ellipse(self)
       end if
-      call check_range(self, error)
-      if (allocated(error)) return
       self%hertz_pressure_pa = self%alphabar/alpha_per_pa
-   end subroutine conditions_from_moes
+   end subroutine set_moes
 
    !> Refuse a load beyond the model, by alpha ph ~ M^(1/3), of line contacts M^(1/2), or beyond numbers, by lambdabar.
-   subroutine check_range(self, error)
+   !> The message has the load of dimensional data, where it is given.
+   subroutine check_range(self, error, data)
       type(conditions_t), intent(in) :: self
       type(error_t), allocatable, intent(inout) :: error
+      type(contact_data_t), intent(in), optional :: data
       real(dp), parameter :: rounded_off = 0.995_dp   ! three digits of a bound, rounded, are within it
-      character(len=:), allocatable :: given
-      real(dp) :: largest_m
+      character(len=:), allocatable :: given, load_key
+      real(dp) :: largest_m, load
 
       given = 'load_parameter_m = '//to_text(self%m, 6)//' and lubricant_parameter_l = '//to_text(self%l, 6)//' give '
       if (.not. self%alphabar <= largest_alphabar) then
          largest_m = rounded_off*self%m*(largest_alphabar/self%alphabar)**merge(2, 3, self%is_line())
+         load_key = 'load_parameter_m'
+         load = self%m
+         if (present(data)) then
+            load_key = trim(merge('load_n_per_m', 'load_n      ', data%load_n_per_m > 0))
+            load = max(data%load_n, data%load_n_per_m)
+            given = load_key//' = '//to_text(load, 6)//' gives '
+         end if
          given = given//'alpha ph = '//to_text(self%alphabar, 4)//', which is outside the model range (at most '// &
                  to_text(largest_alphabar, 3)//'): give '
          if (largest_m > 0) then
-            call raise(error, given//'a load whose load_parameter_m is at most '//to_text(largest_m, 3))
+            call raise(error, given//load_key//' of at most '//to_text(largest_m*(load/self%m), 3))
          else
             call raise(error, given//'a smaller lubricant_parameter_l')
          end if
@@ -183,14 +200,15 @@ contains
       speed_u2 = data%viscosity_pa_s*2*data%mean_speed_m_per_s/(data%reduced_modulus_pa*data%radius_x_m)
       modulus_g = data%pressure_viscosity_per_pa*data%reduced_modulus_pa
       if (data%load_n_per_m > 0) then
-         call conditions_from_moes(data%load_n_per_m/(data%reduced_modulus_pa*data%radius_x_m)*speed_u2**(-0.5_dp), &
-                                   modulus_g*speed_u2**0.25_dp, 0.0_dp, data%pressure_viscosity_per_pa, self, error)
+         call set_moes(data%load_n_per_m/(data%reduced_modulus_pa*data%radius_x_m)*speed_u2**(-0.5_dp), &
+                       modulus_g*speed_u2**0.25_dp, 0.0_dp, data%pressure_viscosity_per_pa, self, error)
       else
          ratio = data%radius_x_m/data%radius_y_m
          if (abs(ratio - 1) <= round_off) ratio = 1
-         call conditions_from_moes(data%load_n/(data%reduced_modulus_pa*data%radius_x_m**2)*speed_u2**(-0.75_dp), &
-                                   modulus_g*speed_u2**0.25_dp, ratio, data%pressure_viscosity_per_pa, self, error)
+         call set_moes(data%load_n/(data%reduced_modulus_pa*data%radius_x_m**2)*speed_u2**(-0.75_dp), &
+                       modulus_g*speed_u2**0.25_dp, ratio, data%pressure_viscosity_per_pa, self, error)
       end if
+      if (.not. allocated(error)) call check_range(self, error, data)
       if (allocated(error)) return
       self%has_dimensions = .true.
       self%data = data

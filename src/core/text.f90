@@ -3,7 +3,7 @@ module ehlwave_text
    use ehlwave_kinds, only: dp, i8
    implicit none (type, external)
    private
-   public :: count_lines, harmless, lower_case, next_line, shown, to_text
+   public :: count_lines, harmless, lower_case, next_line, number_of, shown, to_text
 
    integer, parameter :: most_shown = 60   ! characters of a text from outside that a message repeats
 
@@ -27,6 +27,15 @@ contains
       write (buffer, '(i0)') value
       text = trim(buffer)
    end function long_text
+
+   !> A number of things: '1 case', '12 cases'.
+   pure function number_of(value, thing) result(text)
+      integer, intent(in) :: value
+      character(len=*), intent(in) :: thing
+      character(len=:), allocatable :: text
+      text = integer_text(value)//' '//thing
+      if (value /= 1) text = text//'s'
+   end function number_of
 
    !> Shortest of fixed and exponential notation with the asked number of significant digits.
    pure function real_text(value, digits) result(text)

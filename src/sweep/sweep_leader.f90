@@ -31,7 +31,7 @@ module ehlwave_sweep_leader
    use ehlwave_sweep_report, only: print_sweep_result
    use ehlwave_sweep_start, only: choose_cases, refuse_changed_files, set_aside_crashed
    use ehlwave_terminal, only: complain, print_last, say
-   use ehlwave_text, only: shown, to_text
+   use ehlwave_text, only: number_of, shown, to_text
    use ehlwave_text_file, only: read_text
    implicit none (type, external)
    private
@@ -97,10 +97,10 @@ contains
       if (.not. allocated(error)) call read_text(sweep_path, self%writer%sweep_text, error)
       if (allocated(error)) return
 
-      call say(output_unit, 'ehlwave-sweep '//program_version//': '//to_text(size(sweep%cases))//' cases on '// &
-         to_text(ranks)//' ranks, results in '//sweep%output)
+      call say(output_unit, 'ehlwave-sweep '//program_version//': '//number_of(size(sweep%cases), 'case')// &
+         ' on '//number_of(ranks, 'rank')//', results in '//sweep%output)
       if (allocated(warning)) call say(output_unit, 'NOTICE: '//warning)
-      if (sweep%skipped > 0) call say(output_unit, to_text(sweep%skipped)//' unresolved cases are left out as asked')
+      if (sweep%skipped > 0) call say(output_unit, number_of(sweep%skipped, 'unresolved case')//' left out as asked')
       allocate (to_run(size(sweep%cases)), status(size(sweep%cases)), seconds(size(sweep%cases)))
       call choose_cases(sweep, store, contents, options%retry, to_run, status, seconds)
       call refuse_changed_files(sweep, contents, to_run, error)

@@ -5,7 +5,7 @@ module ehlwave_sweep_notices
    use ehlwave_store_contents, only: contents_t, this_build
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_terminal, only: say
-   use ehlwave_text, only: next_line, to_text
+   use ehlwave_text, only: next_line, number_of, to_text
    implicit none (type, external)
    private
    public :: print_notices
@@ -20,11 +20,11 @@ contains
       character(len=*), intent(in) :: retry
       integer :: i, other, other_build, unlisted
 
-      if (contents%bad_lines > 0) call say(output_unit, to_text(contents%bad_lines)// &
-         ' records were cut off or damaged (killed while writing, full disk); they count as not written')
+      if (contents%bad_lines > 0) call say(output_unit, number_of(contents%bad_lines, 'record')// &
+         ' cut off or damaged (killed while writing, full disk); counted as not written')
       if (contents%count == 0) return
-      call say(output_unit, to_text(count(.not. to_run))//' of '//to_text(size(to_run))// &
-         ' cases are in the store already, '//to_text(count(to_run))//' to run')
+      call say(output_unit, to_text(count(.not. to_run))//' of '//number_of(size(to_run), 'case')// &
+         ' found in the store, '//to_text(count(to_run))//' to run')
       other = 0
       unlisted = 0
       other_build = 0
@@ -37,13 +37,14 @@ contains
          end if
       end do
       if (unlisted > 0) then
-         call say(output_unit, 'NOTICE: the store also holds '//to_text(unlisted)// &
-            ' finished cases that this sweep file does not list; they stay in the store and out of the results file')
+         call say(output_unit, 'NOTICE: the store also holds '//number_of(unlisted, 'finished case')// &
+            ' that this sweep file does not list: kept in the store, left out of the results file')
          call print_changed_settings(sweep, contents)
       end if
-      if (other_build > 0 .and. retry /= 'version') call say(output_unit, 'NOTICE: '//to_text(other_build)// &
-         ' finished cases were computed by ehlwave '//contents%logs(other)%build()//', this is '//this_build// &
-         '; they are kept (each row of the results has its version; --retry version computes them again)')
+      if (other_build > 0 .and. retry /= 'version') call say(output_unit, 'NOTICE: ehlwave '// &
+         contents%logs(other)%build()//' computed '// &
+         number_of(other_build, 'finished case')//', this is '//this_build// &
+         ': kept (each row of the results has its version; --retry version computes them again)')
    end subroutine print_notices
 
    !> Lines of the effective input, beyond what a sweep varies, that differ from an earlier run.

@@ -9,7 +9,7 @@ module ehlwave_sweep_report
    use ehlwave_sweep_expectation, only: expected_seconds
    use ehlwave_sweep_progress, only: counted, duration, progress_t
    use ehlwave_terminal, only: say
-   use ehlwave_text, only: to_text
+   use ehlwave_text, only: number_of, to_text
    implicit none (type, external)
    private
    public :: print_sweep_plan, print_sweep_result
@@ -39,8 +39,8 @@ contains
             call say(unit, line//sweep%variation(i))
          end associate
       end do
-      call say(unit, to_text(size(sweep%cases))//' cases, '//to_text(count(sweep%plans%resolution%is_resolved))// &
-         ' resolved, '//to_text(sweep%skipped)//' unresolved ones left out')
+      call say(unit, number_of(size(sweep%cases), 'case')//', '//to_text(count(sweep%plans%resolution%is_resolved))// &
+         ' resolved, '//to_text(sweep%skipped)//' unresolved left out')
       call print_expectation(unit, sweep%plans)
    end subroutine print_sweep_plan
 
@@ -65,10 +65,10 @@ contains
          to_text(worst)//'), '
       call say(unit, text//to_text(maxval(memory_mib), 2)//' MiB a rank, plus memory of MPI')
       if (any(memory_mib > memory_limit_mib())) call say(unit, '             TOO LITTLE MEMORY for '// &
-         to_text(count(memory_mib > memory_limit_mib()))//' cases: a rank here can have '// &
+         number_of(count(memory_mib > memory_limit_mib()), 'case')//': a rank here can have '// &
          to_text(nint(memory_limit_mib()))//' MiB. They will be over_budget')
-      if (line_contacts > 0) call say(unit, '             '//to_text(line_contacts)// &
-         ' line contacts besides, which have no model of time and error')
+      if (line_contacts > 0) call say(unit, '             '//number_of(line_contacts, 'line contact')// &
+         ' besides, without a model of time and error')
    end subroutine print_expectation
 
    !> Counts by status and where the results are.

@@ -14,7 +14,7 @@ module ehlwave_sweep_status
    use ehlwave_store_contents, only: contents_t, read_store
    use ehlwave_sweep_progress, only: counted, duration
    use ehlwave_terminal, only: say
-   use ehlwave_text, only: to_text
+   use ehlwave_text, only: number_of, to_text
    implicit none (type, external)
    private
    public :: print_status
@@ -69,12 +69,12 @@ contains
          if (any(contents%cases(found)%status == status)) &
             call say(unit, counted(count(contents%cases(found)%status == status), 16, status_name(status)))
       end do
-      if (is_working) call say(unit, 'Under way    '//to_text(count(contents%logs%run == contents%runs .and. &
-         contents%logs%in_flight /= ''))//' cases on '//to_text(count(contents%logs%run == contents%runs))//' ranks')
-      if (contents%count > size(found)) call say(unit, 'Not listed   '//to_text(contents%count - size(found))// &
-         ' finished cases that the sweep file no longer lists')
-      if (contents%bad_lines > 0) call say(unit, 'Damaged      '//to_text(contents%bad_lines)// &
-         ' records were cut off; they count as not written')
+      if (is_working) call say(unit, 'Under way    '//number_of(count(contents%logs%run == contents%runs .and. &
+         contents%logs%in_flight /= ''), 'case')//' on '//number_of(count(contents%logs%run == contents%runs), 'rank'))
+      if (contents%count > size(found)) call say(unit, 'Not listed   '//number_of(contents%count - size(found), &
+         'finished case')//' that the sweep file no longer lists')
+      if (contents%bad_lines > 0) call say(unit, 'Damaged      '//number_of(contents%bad_lines, 'record')// &
+         ' cut off; counted as not written')
       call print_times(unit, contents, list, place, found)
       associate (variation => pack(list%variation, place > 0))
          call print_slowest(unit, contents, found, variation)
@@ -98,7 +98,7 @@ contains
          if (place(i) > 0) seconds(i) = contents%cases(place(i))%seconds
       end do
       call say(unit, 'Time         '//duration(sum(contents%cases(found)%seconds))//' of computing in '// &
-         to_text(contents%runs)//' runs of the program')
+         number_of(contents%runs, 'run')//' of the program')
       if (size(found) == size(place)) return
       model = fit_cost_model(list%features, seconds)
       left = 0
@@ -107,7 +107,8 @@ contains
       end do
       ranks = max(1, count(contents%logs%run == contents%runs))
       if (model%is_fitted) then
-         call say(unit, 'Time left    '//duration(left/ranks)//' on '//to_text(ranks)//' ranks, '//duration(left)// &
+         call say(unit, 'Time left    '//duration(left/ranks)//' on '// &
+            number_of(ranks, 'rank')//', '//duration(left)// &
             ' of computing')
       else
          call say(unit, 'Time left    unknown until a case is finished')

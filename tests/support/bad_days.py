@@ -76,7 +76,7 @@ class BadDays(Faults):
                 process.kill()
                 status = None
         text = log.read_text()
-        self.counts["reached"] += "start 1 of at most" in text
+        self.counts["reached"] += "restart 1 of at most" in text
         return place, status, text
 
 

@@ -108,7 +108,7 @@ class Faults:
         again, text = self.run(place)
         if again not in FINISHED:
             return self.fail("lost", fault, f"the next run ends with {again}: {text[-400:]}")
-        if f"{len(held)} of {len(self.expected['case_id'])} cases are in the store already" not in text:
+        if f"{len(held)} of {len(self.expected['case_id'])} cases found in the store" not in text:
             self.fail("doubled", fault, f"{len(held)} cases were there: {text[-400:]}")
         if self.differs(place):
             self.fail("different", fault, self.differs(place))

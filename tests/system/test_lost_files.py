@@ -85,7 +85,7 @@ class LostFiles(unittest.TestCase):
             (self.store/"defaults").unlink()
             make()
             text = self.sweep("sweep.nml")
-            self.assertIn("3 of 3 cases are in the store already, 0 to run", text)
+            self.assertIn("3 of 3 cases found in the store, 0 to run", text)
             self.assertIn("had lost its file defaults", text)
             self.assertNotIn("truncated", text)
             self.assertEqual((self.store/"defaults").read_text(), (self.whole/"r.store"/"defaults").read_text())

@@ -88,7 +88,7 @@ class OddFiles(FolderTest):
         self.assertIn("3: 2 finished, 1 left", self.run_program("sweep", "--status", "results.h5", status=UNFINISHED))
         text = self.run_program("sweep", "sweep.nml")
         self.assertEqual(text.count("damaged"), 1)
-        self.assertIn("2 of 3 cases are in the store already, 1 to run", text)
+        self.assertIn("2 of 3 cases found in the store, 1 to run", text)
         self.assertIn("0 to run", self.run_program("sweep", "sweep.nml"))
         _, after = read(self.folder/"results.h5")
         self.assertEqual(list(after["run"]), [2, 1, 1])
@@ -120,7 +120,7 @@ class OddFiles(FolderTest):
         self.log().unlink()
         large()
         said = self.run_program("sweep", "sweep.nml", longest_s=10*LONGEST_S)   # it reads 2.3 GiB
-        self.assertIn("3 of 3 cases are in the store already", said)
+        self.assertIn("3 of 3 cases found in the store", said)
 
     def test_pipe_as_input(self):
         os.mkfifo(self.folder/"pipe.nml")
@@ -134,7 +134,7 @@ class OddFiles(FolderTest):
         self.run_program("sweep", "sweep.nml")
         self.log().rename(self.log().with_name("999999-000000.log"))
         (self.folder/"sweep.nml").write_text(namelist({**SWEEP, "sweep": {**SWEEP["sweep"], "radius_ratio_d": [1, 0.5]}}))
-        self.assertIn("3 of 6 cases are in the store already", self.run_program("sweep", "sweep.nml"))
+        self.assertIn("3 of 6 cases found in the store", self.run_program("sweep", "sweep.nml"))
         self.assertEqual(sorted(path.name for path in self.log().parent.iterdir()), ["1000000-000000.log", "999999-000000.log"])
         self.assertIn("0 to run", self.run_program("sweep", "sweep.nml"))
 

@@ -25,7 +25,7 @@ class Points(FolderTest):
         text = (ROOT/"inputs/paper_quick.nml").read_text(encoding="utf-8")
         grid, waves = (re.search(rf"&{name}\n.*?\n/", text, re.DOTALL)[0] for name in ("grid", "waviness"))
         self.assertEqual(len(again()), 12)
-        largest = 0
+        largest = longest = 0
         for row in again():
             conditions = {key: float(row[key]) for key in ("load_parameter_m", "radius_ratio_d")}
             wave = waves.replace("&waviness", f"&waviness\n  orientation = '{row['orientation']}'\n  wavelength_over_a = {row['wavelength_over_a']}")
@@ -35,8 +35,11 @@ class Points(FolderTest):
             result = last_line(outcome)
             ratio = result["amplitude_ratio" if row["orientation"] == "longitudinal" else "amplitude_ratio_fit"]
             largest = max(largest, abs(ratio - float(row["deformed_ratio"])))
-        report(f"Ad/Ai computed again: at most {largest:.1e} off")
+            bar = abs(ratio*result["amplitude_ratio_error"] - float(row["deformed_error"]))
+            longest = max(longest, bar/float(row["deformed_error"]))
+        report(f"Ad/Ai computed again: at most {largest:.1e} off, error bars {100*longest:.1f} %")
         self.assertLess(largest, 2e-3)
+        self.assertLess(longest, 0.05)
 
     def test_every_orientation_and_ratio_has_points(self):
         points = table("quick/points.csv")

@@ -68,7 +68,7 @@ class RunSweep(FolderTest):
         outcome = self.sweep("--output", "results.h5")
         self.check_status(outcome)
         self.assertIn("all ranks have ended", outcome.stdout)
-        self.assertIn("start 1 of at most 5 again", outcome.stdout)
+        self.assertIn("restart 1 of at most 5", outcome.stdout)
         self.assertTrue((self.folder/"results.h5").exists())
 
     def test_a_launcher_that_is_killed_leaves_ranks_to_wait_for(self):
@@ -77,8 +77,8 @@ class RunSweep(FolderTest):
         (self.folder/"sweep.nml").write_text(namelist({"sweep": slow, "grid": {"cells_x": 384, "cells_y": 384}}))
         outcome = self.sweep("--output", "results.h5", patience=60)
         self.check_status(outcome)
-        self.assertIn("start 1 of at most 5 again", outcome.stdout)
-        self.assertIn("6 of 6 cases are in the store already", outcome.stdout)
+        self.assertIn("restart 1 of at most 5", outcome.stdout)
+        self.assertIn("6 of 6 cases found in the store", outcome.stdout)
 
     def start_beside(self, mpirun, patience):
         """Start the sweep by this mpirun."""
@@ -113,7 +113,7 @@ class RunSweep(FolderTest):
         with self.start_beside(LOCKS_UP_WHEN_TRIED, patience=1) as process:
             said = self.said_by(process)
         self.assertEqual(process.returncode, 4, said)
-        self.assertIn("1 ranks cannot be started", said)
+        self.assertIn("cannot start (number of ranks: 1)", said)
 
     def test_a_start_that_never_comes_is_ended(self):
         (self.folder/"launcher").write_text(NEVER_STARTS)

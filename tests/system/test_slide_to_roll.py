@@ -52,7 +52,7 @@ class SlideToRoll(FolderTest):
         self.assertEqual(list(data["slide_to_roll_ratio"]), [-0.3, 0, 0.3])
         # the store finds them by the other key
         outcome = self.sweep({}, output="results.h5", slip_parameter=[0.85, 1, 1.15])
-        self.assertIn("3 of 3 cases are in the store already", outcome.stdout)
+        self.assertIn("3 of 3 cases found in the store", outcome.stdout)
         # a column of each, one in a row; both keys lead to the same case
         Path(self.folder, "cases.csv").write_text("slide_to_roll_ratio,slip_parameter\n-0.3,\n,0.85\n,1.15\n")
         outcome = self.sweep({}, "--plan", case_file="cases.csv")

@@ -39,7 +39,7 @@ class Slurm(FolderTest):
 
     def is_over(self, task):
         """Return whether the job script of a task has reported its end, other than 85, to be continued."""
-        said = re.search(r"task \d+: exit status (\d+)$", self.log(task).rstrip())
+        said = re.search(r"task \d+: exit status (\d+): [^\n]+$", self.log(task).rstrip())
         return said is not None and said.group(1) != "85"
 
     def wait(self, is_done, seconds=HANGS_S):
@@ -75,10 +75,10 @@ class Slurm(FolderTest):
         for task in range(TASKS):
             log = self.log(task)
             print(f"job {job}, task {task}:\n{log}", file=sys.stderr)
-            self.assertIn("asked to stop", log)
-            self.assertIn("will go on in another start", log)
+            self.assertIn("stop requested", log)
+            self.assertIn("continues in another start", log)
             self.assertRegex(log, r"start \d+ on n\[1-2\], 2 ranks")
-            self.assertIn("exit status 0", log.rstrip().split("\n")[-1])
+            self.assertIn("exit status 0: all cases converged", log.rstrip().split("\n")[-1])
             _, data = read(self.folder/f"results_{task}.h5")
             self.assertEqual(len(data["case_id"]), CASES)
             self.assertTrue(set(data["status"]) <= {"converged", "unresolved"}, data["status"])

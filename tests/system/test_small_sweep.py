@@ -51,7 +51,7 @@ class SmallSweep(FolderTest):
         said, _ = process.communicate(timeout=HANGS_S)
         self.assertEqual(process.returncode, 0, said)
         self.assertNotRegex(said, COMPLAINTS)
-        self.assertIn(f"{held} of {CASES} cases are in the store already", said)
+        self.assertIn(f"{held} of {CASES} cases found in the store", said)
         self.assertEqual(len(finished(self.folder/"results.store")), CASES)
         for option in ("--status", "--plan"):
             outcome = subprocess.run([os.environ["EHLWAVE_SWEEP"], option, "results.h5" if option == "--status" else "sweep.nml"],

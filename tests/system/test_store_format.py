@@ -34,7 +34,7 @@ class StoreFormat(FolderTest):
 
     def test_its_cases_are_kept_to_the_last_bit(self):
         said = self.run_sweep("sweep.nml")
-        self.assertIn("2 of 2 cases are in the store already, 0 to run", said)
+        self.assertIn("2 of 2 cases found in the store, 0 to run", said)
         self.assertIn("--retry version", said)
         self.assertIn("edges were 'truncated' by default", said)
         rows = self.rows()

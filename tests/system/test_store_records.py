@@ -67,7 +67,7 @@ class StoreRecords(unittest.TestCase):
         outcome = subprocess.run([os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=copy, env=environment(0),
                                  capture_output=True, text=True, check=False)
         self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
-        self.assertIn(f"{len(self.cases) - len(lost)} of {len(self.cases)} cases are in the store already", outcome.stdout)
+        self.assertIn(f"{len(self.cases) - len(lost)} of {len(self.cases)} cases found in the store", outcome.stdout)
         columns = read(copy/"results.h5")[1]
         self.assertEqual(set(columns), set(self.columns))
         kept = [identity not in lost for identity in columns["case_id"]]

@@ -72,7 +72,7 @@ class SweepKeys(FolderTest):
 
         # found again, shown in plan and status
         outcome = self.sweep({**SHARED, "sweep": {"case_file": "cases.csv"}})
-        self.assertIn("8 of 8 cases are in the store already", outcome.stdout)
+        self.assertIn("8 of 8 cases found in the store", outcome.stdout)
         plan = self.sweep({**SHARED, "sweep": lists}, "--plan").stdout
         self.assertIn("slip_parameter = 1.5, step_tolerance = 0.001, method = 'fas'", plan)
         status = run("sweep", "--status", "results.h5", folder=self.folder)

@@ -85,7 +85,7 @@ class SweepProgram(FolderTest):
                                      "load_parameter_m": 20}}
         outcome = self.sweep(groups, "--plan")
         self.check_status(outcome)
-        self.assertIn("2 cases, 2 resolved, 2 unresolved ones left out", outcome.stdout)
+        self.assertIn("2 cases, 2 resolved, 2 unresolved left out", outcome.stdout)
         groups["sweep"]["wavelength_over_a"] = 0.5
         outcome = self.sweep(groups, "--plan")
         self.assertEqual(outcome.returncode, 2)

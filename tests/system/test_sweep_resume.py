@@ -80,7 +80,7 @@ class SweepResume(FolderTest):
                                  "mean_speed_m_per_s": 0.024, "viscosity_pa_s": 1.22},
                   "surface": {"file": "s.h5"}, "grid": {"cells_x": 32, "cells_y": 32}, "dynamics": {"end_time": 0.25},
                   "sweep": {"slip_parameter": [1, 1.2]}}
-        for height, status, needle in [(1e-8, 0, ""), (1e-8, 0, "2 of 2 cases are in the store already"),
+        for height, status, needle in [(1e-8, 0, ""), (1e-8, 0, "2 of 2 cases found in the store"),
                                        (1.1e-8, 2, "'s.h5' has other numbers than when case 1 was stored")]:
             with h5py.File(self.folder/"s.h5", "w") as file:
                 file["x"] = [8e-6*i for i in range(65)]
@@ -96,7 +96,7 @@ class SweepResume(FolderTest):
                   "lubricant": {"viscosity_table": "oil.csv", "temperature_k": 320},
                   "grid": {"cells_x": 32, "cells_y": 32}, "sweep": {"viscosity_law": ["roelands", "table"]}}
         changed = "&lubricant viscosity_table = 'oil.csv' has other numbers than when case 2"
-        for last, status, needle in [("1e9,5e3", 0, ""), ("1e9,5000", 0, "2 of 2 cases are in the store already"),
+        for last, status, needle in [("1e9,5e3", 0, ""), ("1e9,5000", 0, "2 of 2 cases found in the store"),
                                      ("1e9,5001", 2, changed)]:
             (self.folder/"oil.csv").write_text(table + last)
             self.assertIn(needle, self.sweep(groups, status=status))
@@ -106,7 +106,7 @@ class SweepResume(FolderTest):
         self.sweep(groups, "--retry", "files", "--time-limit", "0.001", status=UNFINISHED)
         _, data = read(self.folder/"results.h5")
         self.assertEqual(data["viscosity_digest"][1], old, "a row has the digest of the file that its numbers are of")
-        self.assertIn("1 of 2 cases are in the store already, 1 to run", self.sweep(groups, "--retry", "files"))
+        self.assertIn("1 of 2 cases found in the store, 1 to run", self.sweep(groups, "--retry", "files"))
         _, data = read(self.folder/"results.h5")
         self.assertNotIn(data["viscosity_digest"][1], ["", old])
         self.assertIn("0 to run", self.sweep(groups))
@@ -165,7 +165,7 @@ class SweepResume(FolderTest):
         self.assertEqual({row["viscosity_digest"] for row in finished(self.store()).values()}, set(data["viscosity_digest"]))
         self.assertIn(f"({done} of 40 cases): --retry files runs these once more", self.sweep(groups, status=2))
         self.write_oil()
-        self.assertIn(f"{done} of 40 cases are in the store already", self.sweep(groups, ranks=2))
+        self.assertIn(f"{done} of 40 cases found in the store", self.sweep(groups, ranks=2))
 
     def test_a_store_that_is_moved_away_is_missed(self):
         groups = {**QUICK, "sweep": {**QUICK["sweep"], "load_parameter_m": list(range(100, 110))}}
@@ -177,15 +177,15 @@ class SweepResume(FolderTest):
         self.assertEqual(process.returncode, 3, said)
         self.assertIn("results.store: was it moved or removed?", said)
         (self.folder/"moved").rename(self.store())
-        self.assertIn("20 of 20 cases are in the store already", self.sweep(groups))
+        self.assertIn("20 of 20 cases found in the store", self.sweep(groups))
 
     def test_only_what_is_new_runs(self):
         self.sweep(QUICK)
         text = self.sweep(QUICK, ranks=2)
-        self.assertIn("4 of 4 cases are in the store already, 0 to run", text)
+        self.assertIn("4 of 4 cases found in the store, 0 to run", text)
         more = {**QUICK, "sweep": {**QUICK["sweep"], "load_parameter_m": [50, 200]}}
         text = self.sweep(more, ranks=2)
-        self.assertIn("2 of 4 cases are in the store already, 2 to run", text)
+        self.assertIn("2 of 4 cases found in the store, 2 to run", text)
         self.assertIn("2 finished cases that this sweep file does not list", text)
         _, data = read(self.folder/"results.h5")
         self.assertEqual(list(data["load_parameter_m"]), [50, 50, 200, 200])
@@ -214,7 +214,7 @@ class SweepResume(FolderTest):
         log = next((self.store()/"records").glob("*.log"))
         rewrite_records(log, lambda text: text.replace(f'"{VERSION}"', '"0.0.9"') if text.startswith("run ") else text)
         text = self.sweep(QUICK)
-        self.assertIn("4 finished cases were computed by ehlwave 0.0.9", text)
+        self.assertRegex(text, r"NOTICE: ehlwave 0\.0\.9 .*computed 4 finished cases, this is ")
         self.assertIn("0 to run", text)
         _, data = read(self.folder/"results.h5")
         self.assertEqual(set(data["program_version"]), {"0.0.9"})
@@ -390,7 +390,7 @@ class SweepResume(FolderTest):
         self.assertIn("ehlwave-store 2", self.sweep(QUICK, status=2))
         self.assertIn("ehlwave-store 2", self.sweep(QUICK, "--status", "results.h5", status=2))
         (self.store()/"store").unlink()   # the line is lost, not the result
-        self.assertIn("4 of 4 cases are in the store already", self.sweep(QUICK))
+        self.assertIn("4 of 4 cases found in the store", self.sweep(QUICK))
         (self.folder/"new.store"/"records").mkdir(parents=True)
         (self.folder/"new.store"/"lock").write_text("")
         self.sweep(QUICK, "--output", "new.h5")
@@ -410,7 +410,7 @@ class SweepResume(FolderTest):
         for broken in [text[:-1], text[:last + 40], text[:last + 60] + b"x" + text[last + 61:], text[:last] + b"\n\0\n"]:
             log.write_bytes(broken)
             self.assertIn("3 finished, 1 left", self.sweep(QUICK, "--status", "results.h5", status=UNFINISHED))
-        self.assertIn("3 of 4 cases are in the store already, 1 to run", self.sweep(QUICK))
+        self.assertIn("3 of 4 cases found in the store, 1 to run", self.sweep(QUICK))
         self.assertIn("4 finished, 0 left", self.sweep(QUICK, "--status", "results.h5"))
 
     def test_launcher_goes_on_after_a_death(self):
@@ -429,7 +429,7 @@ class SweepResume(FolderTest):
             os.kill(int(header.split("]],[")[1].split(",")[4]), signal.SIGKILL)
         text = process.communicate(timeout=HANGS_S)[0]
         self.assertEqual(process.returncode, 4, text)
-        self.assertIn("start 1 of at most 1 again", text)
+        self.assertIn("restart 1 of at most 1", text)
         self.assertIn("ranks died 2 times", text)
 
     def test_pbs_job_submits_its_successor(self):

@@ -175,6 +175,27 @@ contains
             call test%check_close(c%alphabar, 500.0_dp, 'alpha ph of the largest M', relative=0.005_dp)
          end do
       end do
+      associate (data => experiment(0.024_dp))
+         call refuse_load(data)
+      end associate
    end subroutine name_the_bound
+
+   !> The message about a load of dimensional data has the load in newtons; the named one lies inside.
+   subroutine refuse_load(given)
+      type(contact_data_t), intent(in) :: given
+      type(contact_data_t) :: data
+      type(conditions_t) :: c
+      type(error_t), allocatable :: error
+
+      data = given
+      data%load_n = 1e9_dp
+      call conditions_from_dimensional(data, c, error)
+      call test%check_error(error, 'load_n = 1e9 gives alpha ph', 'load too large')
+      if (.not. allocated(error)) return
+      read (error%message(index(error%message, ' ', back=.true.):), *) data%load_n
+      call conditions_from_dimensional(data, c, error)
+      call test%check_no_error(error, 'the named load')
+      call test%check_close(c%alphabar, 500.0_dp, 'alpha ph of the largest load', relative=0.005_dp)
+   end subroutine refuse_load
 
 end program test_conditions

@@ -1,7 +1,7 @@
 !> Numbers to text and back.
 program test_text
    use ehlwave_kinds, only: dp, i8
-   use ehlwave_text, only: lower_case, to_text
+   use ehlwave_text, only: lower_case, number_of, to_text
    use testing, only: test_t
    implicit none (type, external)
 
@@ -16,6 +16,7 @@ contains
    subroutine check_forms()
       call test%check_equal(to_text(0.1_dp, 6), '0.1', 'short')
       call test%check_equal(to_text(0.0_dp), '0', 'zero')
+      call test%check_equal(number_of(1, 'case')//', '//number_of(12, 'rank'), '1 case, 12 ranks', 'singular and plural')
       call test%check_equal(to_text(-0.25_dp, 6), '-0.25', 'negative fraction')
       call test%check_equal(to_text(100.0_dp), '100', 'whole')
       call test%check_equal(to_text(1234567.0_dp, 3), '1.23e6', 'exponent')

@@ -127,7 +127,7 @@ class RangeError(ResultsError, ValueError):
     ...     contact.response(wavelength_over_a=9)
     ... except ehlwave.RangeError as error:
     ...     print(error)
-    wavelength_over_a = 9 at angle_deg = 0: the law leaves out waves of lengths outside 0.1 to 4 a
+    wavelength_over_a = 9 at angle_deg = 0: the law leaves out waves outside 0.1 to 4 a
     """
 
 

@@ -49,8 +49,9 @@ def opened(path: str | Path) -> Iterator[h5py.File]:
                 f"{file}: another program holds it open for writing, or its file system refuses "
                 f"locks ({reason(error)}): close it there, or set HDF5_USE_FILE_LOCKING=FALSE"
             ) from error
+        why = "" if "signature not found" in str(error) else f" ({reason(error)})"
         raise ResultsError(
-            f"{file}: cannot be read as HDF5 ({reason(error)}): give a file that ehlwave-sweep, "
+            f"{file}: cannot be read as HDF5{why}: give a file that ehlwave-sweep, "
             "ehlwave-case --output or ehlwave surface wrote"
         ) from error
     except Exception as error:

@@ -7,6 +7,7 @@ import sys
 import warnings
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from itertools import takewhile
 from pathlib import Path
 
 import numpy as np
@@ -65,10 +66,18 @@ def times(row: Row, name: str) -> float:
     return float(abs(law[name] / case[name] - 1) / most)
 
 
+def contact(row: Row) -> Row:
+    """Return a compared contact: differences over both errors, by value."""
+    found = {name: row[name] for name in ("number", "kind", "m", "l", "d", "slip")}
+    found |= {name: times(row, name) for name in VALUES}
+    return found | {"reason": row["case"].get("reason")}
+
+
 def summary(rows: Sequence[Row], computed: Mapping[int, Answer]) -> list[Row]:
     """Return per kind the shares of elements answered by laws, and by laws or computed.
 
-    The latter is the share of those elements whose refused contacts have all been computed.
+    The latter is the share of the first elements, up to one with a refused contact that has not
+    been computed.
     """
     kinds = {kind: [row for row in rows if row["kind"] == kind] for kind in KINDS}
     return [_shares(kind, own, computed) for kind, own in kinds.items() if own]
@@ -76,7 +85,7 @@ def summary(rows: Sequence[Row], computed: Mapping[int, Answer]) -> list[Row]:
 
 def _shares(kind: str, rows: Sequence[Row], computed: Mapping[int, Answer]) -> Row:
     left = [refused([row]) for row in rows]
-    tried = [own for own in left if all(number in computed for number in own)]
+    tried = list(takewhile(lambda own: all(number in computed for number in own), left))
     answered = [all("reason" not in computed[number] for number in own) for own in tried]
     contacts = sum(len(row["places"]) for row in rows)
     return {
@@ -129,7 +138,9 @@ def _run(options: argparse.Namespace) -> int:
     if not options.report:
         kept(folder / "compared.jsonl", sample(rows, options.contacts), by_both, 1)
         kept(folder / "computed.jsonl", refused(rows)[: options.computed], by_program, 1)
-    judged = compared(read_rows(folder / "compared.jsonl"))
+    beside = read_rows(folder / "compared.jsonl")
+    write_rows(folder / "contacts.csv", [contact(row) for row in beside], digits=4)
+    judged = compared(beside)
     done = read_rows(folder / "computed.jsonl")
     table = summary(rows, {row["number"]: row for row in done})
     write_rows(folder / "elements.csv", table, digits=4)

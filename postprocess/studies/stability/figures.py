@@ -20,7 +20,9 @@ _COLOURS = {
 }
 _RESCUED_EDGE = "black"
 _STYLE = {"font.size": 8, "axes.titlesize": 8.5, "axes.labelsize": 8.5, "legend.fontsize": 8}
-_SIZE = 290
+_SIZE, _SMALL = 290, 190
+WIDTH, ACROSS = 7.0, 3
+"""Width of the map of steady states in inches, as a page shows it, and panels in a row."""
 
 
 def steady_map(rows: Sequence[Row]) -> Figure:
@@ -35,10 +37,11 @@ def steady_map(rows: Sequence[Row]) -> Figure:
     loads = sorted({row.case.value("load_parameter_m") for row in steady})
     viscous = sorted({row.case.value("lubricant_parameter_l") for row in steady})
     with rc_context(_STYLE):
-        width, height = 0.38 * len(loads) + 0.35, 0.36 * len(viscous) + 0.5
-        figure = Figure(figsize=(width * len(ratios) + 0.5, height + 1.0), layout="constrained")
-        panels = figure.subplots(1, len(ratios), sharey=True, squeeze=False)[0]
-        for axes, ratio in zip(panels, ratios, strict=True):
+        down = -(-len(ratios) // ACROSS)
+        height = 0.27 * len(viscous) + 0.85
+        figure = Figure(figsize=(WIDTH, height * down + 0.5), layout="constrained")
+        panels = figure.subplots(down, ACROSS, squeeze=False).ravel()
+        for axes, ratio in zip(panels, ratios, strict=False):
             members = [row for row in steady if row.case.value("radius_ratio_d") == ratio]
             places = [
                 (
@@ -47,11 +50,14 @@ def steady_map(rows: Sequence[Row]) -> Figure:
                 )
                 for row in members
             ]
-            _draw(axes, places, members)
+            _draw(axes, places, members, _SMALL)
             _ticks(axes, [f"{m:g}" for m in loads], [f"{l:g}" for l in viscous], rotation=45)
             axes.set_title(f"D = {ratio:g}")
             axes.set_xlabel("M")
-        panels[0].set_ylabel("L")
+        for axes in panels[::ACROSS]:
+            axes.set_ylabel("L")
+        for axes in panels[len(ratios) :]:
+            axes.set_axis_off()
         _legend(figure, steady)
     return figure
 
@@ -93,11 +99,13 @@ def parameter_map(rows: Sequence[Row]) -> Figure:
     return figure
 
 
-def _draw(axes: Axes, places: Iterable[tuple[int, int]], rows: Iterable[Row]) -> None:
+def _draw(
+    axes: Axes, places: Iterable[tuple[int, int]], rows: Iterable[Row], size: float = _SIZE
+) -> None:
     for (x, y), row in zip(places, rows, strict=True):
         is_rescued = row.result.get("rung", "direct") != "direct" and row.outcome == CONVERGED
         axes.scatter(
-            x, y, s=_SIZE, marker="s", color=_COLOURS[row.outcome],
+            x, y, s=size, marker="s", color=_COLOURS[row.outcome],
             edgecolors=_RESCUED_EDGE if is_rescued else "none", linewidths=1.4,
         )  # fmt: skip
         axes.text(x, y, _effort(row), ha="center", va="center", fontsize=6)

@@ -70,7 +70,7 @@ class ElementTab:
         self.element.param.watch(self._show, "value")
         self._show()
         surface = section("Roughness of race, pinion or cam (optional)", self.file)
-        head, last = in_rows([self.element]), in_rows([self.heat, self.by])
+        head, last = in_rows([self.element], 1), in_rows([self.heat, self.by])
         parts = (head, self.drawing, *self.views.values(), last)
         self.inputs = column(section(name, *parts), self.oil.view, surface, self.button)
         hint = (

@@ -50,6 +50,7 @@ NAMES = {
 PLAIN = (
     (r"give heat data \(heat=\)", "choose 'with heat' under Film and friction"),
     (r"\s*\(manual: [^)]*\)", ""),
+    (r"^ehlwave-(?:case|sweep): ", ""),
     (r"\s*\(\w+=\)", ""),
     (r"^(?:Contact|Body|Oil|Heat)(?:\.\w+)?: ", ""),
     (r"\b(?:ehlwave\.)?(?:Contact|Body|Oil|Heat)\.(\w+)(?:\(\))?", r"\1"),

@@ -9,6 +9,7 @@ from typing import Any
 
 from ehlwave.app.messages import plain, words
 from ehlwave.app.task import DOTS_PER_INCH, Answer
+from ehlwave.shown import percent
 from ehlwave.surface.answer import answer_of
 from ehlwave.surface.narrower import narrower
 from ehlwave.surface.predict import Deformed
@@ -47,7 +48,7 @@ def headline(answer: Answer) -> str:
         return f"<b>{head}</b>{mark}{rest}"
     if found is not None and found.statistics.lambda_ratio_after is not None:
         s = found.statistics
-        error = "error not known" if s.lambda_error is None else f"within {_share(s.lambda_error)}"
+        error = "error not known" if s.lambda_error is None else f"within {percent(s.lambda_error)}"
         return (
             f"<b>Lambda ratio {s.lambda_ratio_after:.4g}</b> {error}, with the roughness as it is "
             f"deformed in the contact ({s.lambda_ratio_before:.4g} with the undeformed one). "
@@ -60,9 +61,9 @@ def headline(answer: Answer) -> str:
         central, least, unit = film.central_m * UM, (film.minimum_m or math.nan) * UM, " um"
     thinnest = "the smallest film is not known"
     if math.isfinite(least):
-        thinnest = f"{least:.4g}{unit} within {_share(film.minimum_error)} at the thinnest place"
+        thinnest = f"{least:.4g}{unit} within {percent(film.minimum_error)} at the thinnest place"
     return (
-        f"<b>Film {central:.4g}{unit}</b> within {_share(film.central_error)} at the contact "
+        f"<b>Film {central:.4g}{unit}</b> within {percent(film.central_error)} at the contact "
         f"centre, {thinnest}."
     )
 
@@ -144,12 +145,12 @@ def rows(part: Any, hidden: Iterable[str] = ()) -> Iterable[tuple[str, str]]:  #
     unknown = []
     for name, value in values.items():
         if isinstance(value, Mapping):
-            yield from ((f"{words(name)}: {key}", _share(v)) for key, v in value.items())
+            yield from ((f"{words(name)}: {key}", percent(v)) for key, v in value.items())
         elif value is None or (isinstance(value, float) and math.isnan(value)):
             unknown += [words(name)] if name not in joined else []
         elif not is_dataclass(value) and name not in joined:
             error = values.get(errors[name])
-            within = f" within {_share(error)}" if isinstance(error, float) else ""
+            within = f" within {percent(error)}" if isinstance(error, float) else ""
             yield words(name), _value(name, value) + within
     unknown = [name for name in unknown if name != words("heated")]
     if unknown:
@@ -222,7 +223,7 @@ def _value(name: str, value: Any) -> str:  # noqa: ANN401
     if not isinstance(value, (int, float)):
         return str(value)
     if name.endswith("_error"):
-        return _share(value)
+        return percent(value)
     if name.endswith("_m"):
         return f"{value * UM:.4g} um"
     if name.endswith("_pa"):
@@ -230,10 +231,6 @@ def _value(name: str, value: Any) -> str:  # noqa: ANN401
     if name.endswith("_k"):
         return f"{value:.4g} K"
     return f"{value:.4g}"
-
-
-def _share(share: float) -> str:
-    return f"{100 * share:.2g} %" if share < 1 else "above 100 %"
 
 
 def old(text: str) -> str:

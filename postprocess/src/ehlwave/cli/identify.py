@@ -9,6 +9,7 @@ import pandas as pd
 
 from ehlwave.errors import ArgumentError, ResultsError
 from ehlwave.identify import Identified, identification_figure, identify
+from ehlwave.shown import percent
 
 
 def run_identify(options: argparse.Namespace) -> None:
@@ -71,7 +72,7 @@ def text_of(found: Identified) -> str:
         unit = "" if one.unit == "1" else f" {one.unit}"
         lines.append(f"{one.name:32s}{one.value:12.4g}{said:>26s}{unit}")
     lines.append(
-        f"Residuals    rms {100 * found.rms:.2g} % of {len(found.measurements)} values, by "
+        f"Residuals    rms {percent(found.rms)} of {len(found.measurements)} values, by "
         + " and ".join(found.sources)
     )
     if found.reference_k is not None:

@@ -82,8 +82,9 @@ def text_of(table: pd.DataFrame, document: dict[str, object]) -> str:
     return "\n".join(
         [
             *lines,
-            "No oil comes back in this. The inlet pushes oil aside, and pressure in the contact "
-            "drives it to the sides. Films thinner than the roughness mean that surfaces touch.",
+            "Without replenishment: no oil comes back to the track. The inlet pushes oil aside, "
+            "and pressure in the contact drives it to the sides. Films thinner than the roughness "
+            "mean that surfaces touch.",
         ]
     )
 
@@ -110,7 +111,7 @@ def replenish_figure(table: pd.DataFrame) -> "Figure":
         axes.axvspan(outside.iloc[0], n.iloc[-1], color="0.9", lw=0, zorder=0, label="extrapolated")
     period = float(table["time_s"].iloc[-1] / (n.iloc[-1] - 1))
     axes.set(xscale="log", yscale="log", ylabel="film over flooded film")
-    axes.set_xlabel(f"overrollings, one in {period:.3g} s")
+    axes.set_xlabel(f"overrollings, one every {period:.3g} s")
     axes.legend(frameon=False)
     return figure
 

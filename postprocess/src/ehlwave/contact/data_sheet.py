@@ -23,6 +23,7 @@ from ehlwave.contact.viscosity_grade import (
 )
 from ehlwave.errors import SurfaceError, did_you_mean, see
 from ehlwave.quantities import number
+from ehlwave.shown import percent
 
 DENSITY_K = 288.15
 """15 C, where data sheets state densities."""
@@ -386,7 +387,7 @@ def _viscosity_error(line: Walther, ends: list[Walther], at_k: float, is_grade: 
 def _within(error: float) -> str:
     if error >= 1:
         return f" within a factor of {1 + error:.2g}"
-    return f" within {100 * error:.2g} %" if error else ""
+    return f" within {percent(error)}" if error else ""
 
 
 def _alpha(sheet: Mapping[str, Any], state: State) -> tuple[float, float, str]:

@@ -24,6 +24,7 @@ from ehlwave.elements.races import Races
 from ehlwave.elements.rolling_resistance import error_of, rolling_power_w
 from ehlwave.elements.table import table_of, unanswered, worst_places
 from ehlwave.errors import ExtrapolationWarning, SurfaceError
+from ehlwave.shown import percent
 
 Floats = NDArray[np.float64]
 
@@ -270,7 +271,7 @@ class RollingBearing(BearingMotion):
         share = centrifugal / float(zone.loads_at(angles)[0].max())
         if share > LARGEST_LEFT_OUT and not has_force:
             warnings.warn(
-                f"the centrifugal force of an element is {100 * share:.2g} % of the largest load, "
+                f"the centrifugal force of an element is {percent(share)} of the largest load, "
                 "which the loads leave out: has_centrifugal_load = true adds it",
                 ExtrapolationWarning,
                 stacklevel=4,

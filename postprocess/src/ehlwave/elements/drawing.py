@@ -16,9 +16,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 STEEL, EDGE, INK = "0.86", "0.35", "#14405c"
-LETTER_POINTS, SLANT = 4.0, 0.2
-"""Distance of a letter from its arrow, points; arrows with a smaller rise of their normal are
-upright."""
+GAP = 3.0
+"""Between an arrow and its letter, points."""
 
 
 def drawing_svg(element: str) -> str:
@@ -47,11 +46,12 @@ def drawing_svg(element: str) -> str:
         DRAWINGS[element](axes)
         axes.set_aspect("equal")
         axes.set_axis_off()
-        FigureCanvasSVG(figure).print_svg(file, metadata={"Date": None})
+        canvas = FigureCanvasSVG(figure)
+        canvas.print_figure(file, format="svg", bbox_inches="tight", metadata={"Date": None})
     text = file.getvalue()
     text = text[text.index("<svg") :]
-    size = 'style="width:100%;max-width:460pt;height:auto"'
-    return re.sub(r'width="[\d.]+pt" height="[\d.]+pt"', size, text, count=1)
+    size = r'style="width:100%;max-width:\1pt;height:auto"'
+    return re.sub(r'width="([\d.]+)pt" height="[\d.]+pt"', size, text, count=1)
 
 
 def _disc(axes: Axes, x: float, y: float, r: float, **style: Any) -> None:  # noqa: ANN401
@@ -69,20 +69,25 @@ def _arrow(
     *,
     ends: str = "<->",
     at: float = 0.5,
+    side: int = 1,
 ) -> None:
-    """Draw a dimension or an arrow with its letter beside it, at a share of its way."""
+    """Draw a dimension or an arrow; its letter stands `GAP` points beside it, at 1 behind it."""
     axes.annotate("", end, start, arrowprops={"arrowstyle": ends, "color": INK, "lw": 1.0})
-    way = np.asarray(end, dtype=float) - np.asarray(start)
-    x, y = np.array([-way[1], way[0]]) / np.hypot(*way)  # beside it: above, or to the right
-    side = -1 if y < -SLANT or (y < SLANT and x < 0) else 1
+    start, end = np.asarray(start, float), np.asarray(end, float)
+    along = (end - start) / math.dist(end, start)
+    # Above an arrow, at the right of a vertical one; `side` -1: below, at the left.
+    aside = along if at == 1 else side * np.array([-along[1], along[0]])
+    if at != 1 and aside @ (0.5, 1.0) * side < 0:
+        aside = -aside
+    across, up = np.round(aside, 1)
     axes.annotate(
         text,
-        np.asarray(start) + at * way,
-        (LETTER_POINTS * side * x, LETTER_POINTS * side * y),
+        start + at * (end - start),
+        aside * GAP,
         textcoords="offset points",
         color=INK,
-        ha="center" if abs(x) < 0.5 else "left" if side * x > 0 else "right",
-        va="bottom" if abs(y) > 0.5 else "center",
+        ha="left" if across > 0.3 else "right" if across < -0.3 else "center",
+        va="bottom" if up > 0.3 else "top" if up < -0.3 else "center",
     )
 
 
@@ -96,21 +101,24 @@ def _bearing(axes: Axes, *, is_roller: bool = False, angle: float = 0.0) -> None
         turn = math.radians(-90 + 360 * k / count)
         _disc(axes, pitch * math.cos(turn), pitch * math.sin(turn), size, facecolor="white")
         load = max(math.cos(turn + math.pi / 2), 0) ** 1.5
-        if load > 0.05:
+        if load > 0.1:
             start = np.array([math.cos(turn), math.sin(turn)]) * 4.4
             _arrow(axes, start * (1 + 0.28 * load), start, "", ends="->")
-    _arrow(axes, (0, 1.5), (0, 0.1), "F_r", ends="->", at=0.3)
-    _disc(axes, 0, 0, pitch, facecolor="none", ls="--", lw=0.8)
-    _arrow(axes, (-pitch, 0), (pitch, 0), "d_m", at=0.62)
-    axes.text(0.35, -5.9, "Q at angle 0", color=INK)
-    axes.plot([0, 3.6 * math.sin(0.7)], [0, -3.6 * math.cos(0.7)], ":", color=INK, lw=0.9)
-    axes.text(0.15, -1.2, "angle", color=INK)
+    _disc(axes, 0, 0, pitch, facecolor="none", ls="--", lw=0.7)
+    _arrow(axes, (-0.6, 1.2), (-0.6, -0.6), "$F_r$", ends="->")
+    for end in (-pitch, pitch):
+        axes.plot([end, end], [0, 5.2], color=INK, lw=0.5)
+    _arrow(axes, (-pitch, 4.9), (pitch, 4.9), "$d_m$")
+    axes.text(0.35, -5.5, "Q at angle 0", color=INK)
+    for turn in (0.0, 0.7):
+        axes.plot([0, 3.6 * math.sin(turn)], [0, -3.6 * math.cos(turn)], ":", color=INK, lw=0.9)
+    axes.text(0.7, -1.95, "angle", color=INK, ha="center", va="center")
     x = 8.6
     if is_roller:
         _section_of_roller(axes, x, angle)
     else:
         _section_of_ball(axes, x, angle)
-    axes.set(xlim=(-4.8, 13), ylim=(-6.3, 4.6))
+    axes.set(xlim=(-4.8, 13), ylim=(-6.3, 5.6))
 
 
 def _section_of_ball(axes: Axes, x: float, angle: float) -> None:
@@ -122,16 +130,16 @@ def _section_of_ball(axes: Axes, x: float, angle: float) -> None:
     _disc(axes, x, 0, 1.5, facecolor="0.95")
     for start in (20, 200):
         axes.add_patch(Arc((x, 0), 3.24, 3.24, theta1=start, theta2=start + 140, color=EDGE))
-    _arrow(axes, (x - 1.5, 0), (x + 1.5, 0), "D_w", at=0.3)
+    _arrow(axes, (x - 1.5, 0), (x + 1.5, 0), "$D_w$", at=0.8)
     tilt = math.radians(angle)
     top = np.array([x + 2.9 * math.sin(tilt), 2.9 * math.cos(tilt)])
     axes.plot([2 * x - top[0], top[0]], [-top[1], top[1]], "--", color=INK, lw=0.9)
     if angle:
-        axes.text(x + 0.25, 2.0, "contact angle", color=INK)
-    axes.text(x - 2.2, 1.5, "f_o D_w", color=INK)
-    axes.text(x - 2.2, -2.0, "f_i D_w", color=INK)
-    axes.text(x - 2.3, 3.35, "outer ring", color=EDGE)
-    axes.text(x - 2.3, -3.6, "inner ring", color=EDGE)
+        axes.text(top[0] + 0.2, 3.3, "contact angle", color=INK)
+    axes.text(x - 2.1, 2.1, "$f_o D_w$", color=INK)
+    axes.text(x + 0.5, -2.6, "$f_i D_w$", color=INK)
+    axes.text(x - 2.3, 3.3, "outer ring", color=EDGE)
+    axes.text(x - 2.3, -3.3, "inner ring", color=EDGE, va="top")
 
 
 def _section_of_roller(axes: Axes, x: float, angle: float) -> None:
@@ -142,15 +150,19 @@ def _section_of_roller(axes: Axes, x: float, angle: float) -> None:
         ([(-1.7, -1.2), (1.7, -1.2), (1.7, 1.2), (-1.7, 1.2)], "0.95", 0.0),
         ([(-2.6, -2.7), (2.6, -2.7), (2.6, -1.3), (-2.6, -1.3)], STEEL, -0.3),
     )
-    for corners, colour, wedge in shapes:
+
+    def turned(a: float, b: float, wedge: float = 0.0) -> tuple[float, float]:
         turn = math.radians(angle + 2.5 * wedge * bool(angle))
-        rotated = [
-            (x + a * math.cos(turn) - b * math.sin(turn), a * math.sin(turn) + b * math.cos(turn))
-            for a, b in corners
-        ]
+        return (
+            x + a * math.cos(turn) - b * math.sin(turn),
+            a * math.sin(turn) + b * math.cos(turn),
+        )
+
+    for corners, colour, wedge in shapes:
+        rotated = [turned(a, b, wedge) for a, b in corners]
         axes.add_patch(Polygon(rotated, facecolor=colour, edgecolor=EDGE))
-    _arrow(axes, (x - 1.7, 0), (x + 1.7, 0), "L", at=0.25)
-    _arrow(axes, (x + 0.6, -1.1), (x + 0.6, 1.1), "D", at=0.6)
+    _arrow(axes, turned(-1.7, 0), turned(1.7, 0), "L", at=0.25)
+    _arrow(axes, turned(0.6, -1.2), turned(0.6, 1.2), "D", at=0.75)
     words = (
         "outer_angle above, inner_angle below" if angle else "outer ring above, inner ring below"
     )
@@ -180,15 +192,18 @@ def _gear(axes: Axes, *, is_helical: bool = False) -> None:
         axes.text(point[0] + 0.1, point[1] - 0.02, letter, color=INK, va="center")
     aside = np.array([-along[1], along[0]]) * 0.3
     _arrow(axes, foot + aside, foot + aside + ends[0] * along, "s", at=0.35)
-    axes.text(end[0] + 0.12, end[1], "line of action, length N", color=INK)
-    for centre, tip, name in zip(centres, (foot, end), ("r_b1", "r_b2"), strict=True):
+    axes.text(end[0] + 0.1, end[1] + 0.15, "line of action, length N", color=INK)
+    for centre, tip, name in zip(centres, (foot, end), ("$r_{b1}$", "$r_{b2}$"), strict=True):
         _arrow(axes, centre, tip, name, ends="->", at=0.5)
-    _arrow(axes, (0.0, -1.4), (6.0, -1.4), "centre distance a", at=0.35)
+    _arrow(axes, (0.0, -1.4), (6.0, -1.4), "centre distance a", at=0.7)
     if is_helical:
-        axes.set_title(
+        axes.text(
+            3.3,
+            -1.95,
             "section normal to the axes; radii normal to the flanks: over cos(beta_b)",
             color=INK,
-            fontsize=8,
+            ha="center",
+            va="top",
         )
     axes.set(xlim=(-0.6, 7.2), ylim=(-1.75, 1.95))
 
@@ -217,11 +232,12 @@ def _cam(axes: Axes) -> None:
     axes.add_patch(Rectangle((-0.3, top + 0.35), 0.6, 1.1, facecolor="0.95", edgecolor=EDGE))
     axes.plot(aside, top, "o", color=INK, ms=4)
     curvature = base + lift(at) + lift(at, 2)
-    _arrow(axes, (aside, top - curvature), (aside, top), "rho = r_b + l + l''", ends="->", at=0.6)
-    _arrow(axes, (-2.5, 0), (-2.5, base), "r_b", at=0.5)
-    _arrow(axes, (-2.5, base), (-2.5, top), "l", at=0.5)
-    _arrow(axes, (0, 0.3), (aside, 0.3), "l'", ends="->")
-    _arrow(axes, (0, top + 2.3), (0, top + 1.5), "load", ends="->", at=0.2)
+    _arrow(axes, (aside, top - curvature), (aside, top), "", ends="->")
+    axes.text(2.7, 0.4, "rho = $r_b$ + l + l''", color=INK)
+    _arrow(axes, (-2.5, 0), (-2.5, base), "$r_b$", side=-1)
+    _arrow(axes, (-2.5, base), (-2.5, top), "l", side=-1)
+    _arrow(axes, (0, -0.25), (aside, -0.25), "l'", side=-1)
+    _arrow(axes, (0, top + 2.3), (0, top + 1.5), "load", ends="->", at=0.3)
     axes.text(
         2.2, top - 0.2, "speeds past the contact:\ncam omega rho, follower omega l''", color=INK
     )
@@ -233,10 +249,10 @@ def _ball_on_disc(axes: Axes) -> None:
 
     axes.add_patch(Rectangle((-4, -0.6), 8, 0.6, facecolor=STEEL, edgecolor=EDGE))
     _disc(axes, 0, 1.5, 1.5, facecolor="0.95")
-    _arrow(axes, (-1.5, 1.5), (1.5, 1.5), "d", at=0.65)
-    _arrow(axes, (0, 4.1), (0, 3.1), "load", ends="->", at=0.2)
-    _arrow(axes, (0.4, 0.25), (1.9, 0.25), "u1", ends="->", at=0.95)
-    _arrow(axes, (0.4, -0.3), (1.6, -0.3), "u2", ends="->", at=0.95)
+    _arrow(axes, (-1.5, 1.5), (1.5, 1.5), "d")
+    _arrow(axes, (0, 4.1), (0, 3.1), "load", ends="->", at=0.3)
+    _arrow(axes, (0.4, 0.25), (1.9, 0.25), "u1", ends="->", at=1)
+    _arrow(axes, (0.4, -0.3), (1.6, -0.3), "u2", ends="->", at=1)
     axes.text(-4, -1.5, "mean speed (u1 + u2)/2, slide-to-roll ratio (u1 - u2)/mean", color=INK)
     axes.set(xlim=(-5, 5), ylim=(-2, 4.4))
 
@@ -244,11 +260,11 @@ def _ball_on_disc(axes: Axes) -> None:
 def _two_disc(axes: Axes) -> None:
     _disc(axes, 0, 1.7, 1.7, facecolor="0.95")
     _disc(axes, 0, -1.3, 1.3)
-    _arrow(axes, (-1.7, 1.7), (1.7, 1.7), "d_1", at=0.65)
-    _arrow(axes, (-1.3, -1.3), (1.3, -1.3), "d_2", at=0.65)
-    _arrow(axes, (0, 4.5), (0, 3.5), "load", ends="->", at=0.2)
-    _arrow(axes, (1.4, 0.15), (2.9, 0.15), "u1", ends="->", at=0.95)
-    _arrow(axes, (1.2, -0.25), (2.4, -0.25), "u2", ends="->", at=0.95)
+    _arrow(axes, (-1.7, 1.7), (1.7, 1.7), "$d_1$")
+    _arrow(axes, (-1.3, -1.3), (1.3, -1.3), "$d_2$")
+    _arrow(axes, (0, 4.5), (0, 3.5), "load", ends="->", at=0.3)
+    _arrow(axes, (1.4, 0.15), (2.9, 0.15), "u1", ends="->", at=1)
+    _arrow(axes, (1.2, -0.25), (2.4, -0.25), "u2", ends="->", at=1)
     axes.set(xlim=(-5, 5), ylim=(-3, 4.8))
 
 

@@ -10,6 +10,7 @@ import xarray as xr
 from ehlwave.elements.table import ERRORS
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
@@ -36,11 +37,11 @@ PANELS: dict[str, tuple[Curve, ...]] = {
         Curve("isothermal_lambda_ratio", 1, "deformed, without heat", ":"),
     ),
     "friction coefficient": (Curve("friction", 1, "friction"),),
-    "rise of the temperature [K]": (
+    "temperature rise [K]": (
         Curve("rise_mid_film_k", 1, "mid-film"),
         Curve("rise_surfaces_k", 1, "surfaces", "--"),
     ),
-    "pressure and shear [GPa]": (
+    "stress [GPa]": (
         Curve("hertz_pressure_pa", 1e-9, "Hertz pressure"),
         Curve("largest_shear_pa", 1e-9, "largest shear stress", "--"),
     ),
@@ -49,8 +50,11 @@ PANELS: dict[str, tuple[Curve, ...]] = {
 """Panels by their labels; one without known numbers is left out."""
 
 LEGEND: dict[str, Any] = {"frameon": False, "fontsize": 7.5, "columnspacing": 1.2}
-WIDTH = 7.2
-"""Inches; legends are above their panels and cover nothing."""
+WIDTH, HEIGHT = 7.2, 2.7
+"""Width of the figure and height of a row, inches; legends are above their panels."""
+
+DEGREES = (1, 1.5, 3, 4.5, 6, 9, 10)
+"""Steps of ticks of angles, by a power of ten."""
 
 AXES = {
     "angle_deg": ("angle [degrees]", 1.0),
@@ -83,10 +87,11 @@ def element_figure(table: xr.Dataset) -> Figure:
     """
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
+    from matplotlib.ticker import MaxNLocator
 
     shown = {label: curves for label, curves in PANELS.items() if _is_known(table, curves)}
     rows = (len(shown) + 1) // 2
-    figure = Figure(figsize=(WIDTH, 3.1 * rows), layout="constrained")
+    figure = Figure(figsize=(WIDTH, HEIGHT * rows), layout="constrained")
     grid = np.atleast_1d(figure.subplots(rows, 2, sharex=True)).ravel()
     coordinate = next(name for name in AXES if name in table.dims)
     name, factor = AXES[coordinate]
@@ -94,10 +99,13 @@ def element_figure(table: xr.Dataset) -> Figure:
         _draw(axes, table, coordinate, factor, curves)
         axes.set(ylabel=label)
         axes.set_ylim(bottom=0)
+        _shade_unanswered(axes, table, coordinate, factor, curves)
         place = (0.5, 1.08 if coordinate == "distance_m" else 1.0)  # above the letters
-        lines = {str(line.get_label()): line for line in axes.get_lines()}
+        handles, names = axes.get_legend_handles_labels()
+        lines: dict[str, Artist] = dict(zip(names, handles, strict=True))
         if "ring" in table.dims:  # line styles; the key of the figure has the rings
-            lines = {k: Line2D([], [], color="0.3", ls=v.get_linestyle()) for k, v in lines.items()}
+            styles = {str(one.get_label()): one.get_linestyle() for one in axes.get_lines()}
+            lines |= {k: Line2D([], [], color="0.3", ls=style) for k, style in styles.items()}
         shape = {"loc": "lower center", "bbox_to_anchor": place, "ncols": 2}
         axes.legend(list(lines.values()), list(lines), **shape, **LEGEND)
     for axes in grid[len(shown) :]:
@@ -105,6 +113,8 @@ def element_figure(table: xr.Dataset) -> Figure:
     for axes in grid[:2] if rows == 1 else grid[-2:]:
         axes.set_xlabel(name)
         axes.tick_params(labelbottom=True)
+        if coordinate == "angle_deg":
+            axes.xaxis.set_major_locator(MaxNLocator(7, steps=DEGREES))
     if len(shown) % 2 and rows > 1:
         grid[-3].set_xlabel(name)
         grid[-3].tick_params(labelbottom=True)
@@ -120,6 +130,22 @@ def _is_known(table: xr.Dataset, curves: tuple[Curve, ...]) -> bool:
     """Return whether any number of a panel is known and not 0 everywhere."""
     found = [table[curve.name].values for curve in curves if curve.name in table]
     return any(np.isfinite(one).any() and np.nanmax(np.abs(one)) > 0 for one in found)
+
+
+def _shade_unanswered(
+    axes: Axes, table: xr.Dataset, coordinate: str, factor: float, curves: tuple[Curve, ...]
+) -> None:
+    """Shade the places where no curve of a panel has a number."""
+    x = table[coordinate].values * factor
+    others = [name for name in table.dims if name != coordinate]
+    known = [np.isfinite(table[one.name]).any(others).values for one in curves if one.name in table]
+    unanswered = ~np.any(known, axis=0)
+    edges = np.concatenate([x[:1], (x[1:] + x[:-1]) / 2, x[-1:]])
+    label = "no answer"
+    for low, high, is_left_out in zip(edges[:-1], edges[1:], unanswered, strict=True):
+        if is_left_out:
+            axes.axvspan(low, high, color="0.93", lw=0, zorder=0, label=label)
+            label = ""
 
 
 def _draw(

@@ -27,7 +27,7 @@ def above(value: Any, name: str, place: str, least: float = 0.0, example: str = 
     """
     found = number(value, name, place)
     if not found > least:
-        such = f", such as {example}" if example else ""
+        such = f", such as {example}" if example and float(example) > least else ""
         raise SurfaceError(f"{place}: {name} = {value} must be above {least:g}{such}")
     return found
 

@@ -142,6 +142,8 @@ class ElementContact:
             In place of its own.
         """
         first, second = self.speeds_m_per_s
+        if first == second == 0:
+            raise RangeError("both surfaces stand still past the contact, which draws no oil in")
         if self.is_opposite or first + second == 0:
             raise RangeError(
                 f"surface speeds of {first:.4g} and {second:.4g} m/s: the surfaces move in "

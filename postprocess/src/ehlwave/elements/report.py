@@ -17,11 +17,11 @@ import xarray as xr
 from ehlwave.elements.columns import TEXTS
 from ehlwave.elements.figure import element_figure
 from ehlwave.elements.formulas import FORMULAS, heading, written
-from ehlwave.shown import split_words
+from ehlwave.shown import percent, split_words
 
 DOTS_PER_INCH = 130
 SUMMARY = (
-    *("rolling_power_w", "rolling_power_error", "sliding_power_w", "efficiency"),
+    *("rolling_power_w", "sliding_power_w", "efficiency"),
     *("kappa_iso_281", "centrifugal_over_load", "reversals_deg", "opposite_speeds_deg"),
 )
 """Numbers of an element that the text has."""
@@ -65,16 +65,23 @@ def report_text(table: xr.Dataset) -> str:
     """
     lines = [title(table)]
     lines += [f"  {part}" for part in str(table.attrs["worst"]).split("; ") if part]
-    lines += [
-        f"  {heading(name)}: {written(name, table.attrs[name])}"
-        for name in SUMMARY
-        if name in table.attrs
-    ]
-    left = int(table.attrs["unanswered_places"])
-    if left:
-        lines.append(f"  {left} of {table['load_n'].size} places have no film")
-    lines += [f"  {reason}" for reason in reasons(table)]
+    lines += [f"  {_summed(table, name)}" for name in SUMMARY if name in table.attrs]
+    left, places = int(table.attrs["unanswered_places"]), table["load_n"].size
+    found = reasons(table)
+    if left and not any(one.startswith(f"{left} of {places} places") for one in found):
+        lines.append(f"  {left} of {places} places have no film")
+    lines += [f"  {reason}" for reason in found]
     return "\n".join(lines)
+
+
+def _summed(table: xr.Dataset, name: str) -> str:
+    """Return a number of an element with its unit and error."""
+    value = table.attrs[name]
+    if isinstance(value, float) and math.isnan(value):
+        return f"{FORMULAS[name].label}: not available"
+    error = table.attrs.get(f"{name.removesuffix('_w')}_error")
+    within = f" within {percent(error)}" if isinstance(error, float) else ""
+    return f"{FORMULAS[name].label}: {written(name, value)} {FORMULAS[name].unit}".rstrip() + within
 
 
 def reasons(table: xr.Dataset) -> list[str]:

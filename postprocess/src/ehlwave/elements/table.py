@@ -21,7 +21,7 @@ WORST = {
     "isothermal_lambda_ratio": ("smallest lambda ratio without heat", min, 1.0, ""),
     "hertz_pressure_pa": ("highest Hertz pressure", max, 1e-9, "GPa"),
     "friction": ("largest friction", max, 1.0, ""),
-    "rise_mid_film_k": ("hottest film", max, 1.0, "K"),
+    "rise_mid_film_k": ("largest temperature rise mid-film", max, 1.0, "K"),
     "dang_van": ("largest factor of Dang Van", max, 1.0, ""),
 }
 """Worst value of a column: words, how it is found, factor and unit of the text."""

@@ -10,6 +10,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from ehlwave.errors import ArgumentError, did_you_mean
+from ehlwave.identify.headings import KELVIN_AT_0, rig_heading
 from ehlwave.inputs.key_table import KEYS
 
 RESULTS = {
@@ -28,7 +29,7 @@ _LENGTHS = {
     for ending, factor in UNITS.items()
 }
 _OTHER = {"mean_speed_mm_per_s": ("mean_speed_m_per_s", 1e-3)}
-TEMPERATURE, CELSIUS, KELVIN_AT_0 = "temperature_k", "temperature_c", 273.15
+TEMPERATURE, CELSIUS = "temperature_k", "temperature_c"
 ERROR = "_error"
 """Ending of a column of relative standard errors."""
 
@@ -67,6 +68,8 @@ def read_measurements(source: "str | Path | pd.DataFrame") -> Measurements:
         ``slide_to_roll_ratio`` and ``wavelength_over_a``, or ``temperature_c``; results
         ``central_film_um``, ``minimum_film_um`` (or ``_nm``, ``_m``), ``friction_coefficient``
         and ``harmonic_ratio`` (Ad/Ai); relative standard errors as ``central_film_error``.
+        Headings of rigs are words with a unit: ``Entrainment speed (mm/s)``, ``SRR (%)``,
+        ``Load (N)``, ``Temperature (°C)``, ``Film thickness (nm)``, ``Traction coefficient``.
         Empty cells of results are left out.
 
     Raises
@@ -133,6 +136,8 @@ def _known_columns(table: pd.DataFrame, place: str) -> Mapping[str, NDArray[np.f
             name, factor = (_LENGTHS | _OTHER)[heading]
         elif heading == CELSIUS:
             name, offset = TEMPERATURE, KELVIN_AT_0
+        elif heading not in words and (own := rig_heading(heading, place)):
+            name, factor, offset = own
         elif heading not in words:
             raise ArgumentError(
                 f"{place}: column {heading} is no key and no measured result"

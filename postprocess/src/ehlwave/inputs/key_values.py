@@ -69,7 +69,8 @@ def _refuse_unknown(
         if group not in groups:
             near = did_you_mean(group, groups)
             raise SurfaceError(
-                f"{file.path}:{line}: &{group} is no group of ehlwave-case{near}: remove it"
+                f"{file.path}:{line}: &{group} is no group of ehlwave-case{near}: "
+                f"{'correct it' if near else 'remove it'}"
             )
     for entry in file.entries.values():
         if entry.key in found[entry.group]:
@@ -79,5 +80,7 @@ def _refuse_unknown(
             home = " or &".join(homes)
             text = f"'{entry.key}' in &{entry.group}: it belongs to &{home}, move it there"
         else:
-            text = f"{entry.key}{did_you_mean(entry.key, KEYS)} in &{entry.group}: remove it"
+            near = did_you_mean(entry.key, KEYS)
+            step = "correct it" if near else "remove it"
+            text = f"{entry.key}{near} in &{entry.group}: {step}"
         raise SurfaceError(f"{file.path}:{entry.line}: unknown key {text}")

@@ -89,7 +89,7 @@ class AtlasTransfer:
     def outside_reason(self) -> str:
         """Why components are not covered."""
         low, high = WAVE_RANGE
-        return f"of lengths outside {low:g} to {high:g} a{EXTRAPOLATED}"
+        return f"outside {low:g} to {high:g} a{EXTRAPOLATED}"
 
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
         """Return the transfer for waves per metre along x (any sign) and y; 0 for the mean."""

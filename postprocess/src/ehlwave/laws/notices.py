@@ -56,7 +56,7 @@ def _inlet(asked: Asked, film: Film) -> list[str]:
         return []
     if warming.loss <= LEAST_LOSS:
         return []
-    size = f"{100 * warming.loss:.2g} % thinner"
+    size = f"{percent(warming.loss)} thinner"
     if warming.error is not None:
         size += f" (within {100 * warming.error:.1g} %)"
     else:

@@ -49,7 +49,10 @@ class Track:
         """Refuse contacts without film in metres or viscosity, or with another oil."""
         c = self.conditions
         if not c.is_starved:
-            raise SurfaceError("oil_over_flooded is missing: give the oil at first")
+            raise SurfaceError(
+                "oil_over_flooded is missing: give the oil of the first overrolling over the oil "
+                "that the flooded contact passes, such as 0.5"
+            )
         check_starved(c)
         if "viscosity_pa_s" not in dict(c.given) or c.central_film_m is None:
             raise SurfaceError(

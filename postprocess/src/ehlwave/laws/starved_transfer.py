@@ -71,7 +71,7 @@ class StarvedTransfer:
     @property
     def outside_reason(self) -> str:
         """Why components are not covered."""
-        return f"other than the law of starved contacts was fitted to ({WAVES_TEXT}){EXTRAPOLATED}"
+        return f"outside the law of starved contacts ({WAVES_TEXT}){EXTRAPOLATED}"
 
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[Any]:
         """Return Ad/Ai for waves per metre along x and y; 0 for the mean."""

@@ -68,7 +68,7 @@ def run_case(keys: Keys, progress: Following = None) -> Result:
             quiet = [] if callback else ["--quiet"]
             done = run_following([str(program), str(path), "--json", *quiet], callback, "stderr")
         if done.returncode not in (0, 1):
-            raise ProgramError(f"{program.name}: {_said(done)}")
+            raise ProgramError(_said(done, path))
         found = dict(json.loads(done.stdout.rstrip().splitlines()[-1]))
         check(found)
         store(name, keys, found)
@@ -138,7 +138,7 @@ def _sweep(
         write_new_text(path, namelist({**groups, "sweep": sweep}))
         done = run_following([str(program), str(path)], callback, "stdout")
         if done.returncode not in (0, 1):
-            raise ProgramError(f"{program.name}: {_said(done)}")
+            raise ProgramError(_said(done, path))
         from ehlwave.results.read import read_results
 
         results = read_results(folder / "waves.h5")
@@ -158,8 +158,10 @@ def _plain(value: Any) -> Any:  # noqa: ANN401 - number, text or truth
     return value.item() if hasattr(value, "item") else value
 
 
-def _said(done: "subprocess.CompletedProcess[str]") -> str:
-    return "; ".join((done.stderr or done.stdout).strip().splitlines()[-5:])
+def _said(done: "subprocess.CompletedProcess[str]", path: Path) -> str:
+    """Return the last lines of a program, without the name of an input file that is gone."""
+    lines = (done.stderr or done.stdout).strip().splitlines()[-5:]
+    return "; ".join(line.replace(f"{path}: ", "") for line in lines)
 
 
 def _program(name: str, text: str, path: str) -> Path:

@@ -38,4 +38,5 @@ def rolling_arrow(axes: Axes) -> None:
     )
     arrow.set_in_layout(False)
     place = {"transform": axes.transAxes, "va": "center", "color": "white", "fontsize": 8}
-    axes.text(0.26, 0.055, "rolling", path_effects=outline, **place)
+    shade = {"facecolor": (0, 0, 0, 0.55), "linewidth": 0, "boxstyle": "round,pad=0.15"}
+    axes.text(0.27, 0.055, "rolling", bbox=shade, **place)

@@ -96,7 +96,13 @@ def select_points(
         usable &= np.isfinite(candidates[name]) & (candidates[name] > 0)
     usable &= status.isin((*solved, UNRESOLVED)) if include_unresolved else resolved
     if edges is not None:
+        others = int(usable.sum())
         usable &= results["edges"] == edges
+        if others and not usable.any():
+            raise ResultsError(
+                f"no usable points: all {others} have other edges of the domain than {edges}: "
+                "leave edges (--edges) out"
+            )
     if not usable.any():
         raise ResultsError(_nothing_usable(results, ratio, include_unresolved))
     _refuse_mixed_edges(results["edges"].values[usable.values])

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from ehlwave.shown import percent
 from ehlwave.stress.body import INNER, BodyStress, Peak
 from ehlwave.stress.dang_van import Path, limit_text
 from ehlwave.stress.removal import risk_text
@@ -33,7 +34,7 @@ def stress_text(result: RoughStress) -> str:
         f"Surfaces     {', '.join(surface.surface.name for surface in result.surfaces)}; by "
         f"{result.surfaces[0].transfer_name}",
         f"Ripple       pressure {result.ripple_rq_pa * MPA:.4g} MPa rms at the centre, within "
-        f"{100 * result.ripple_error:.2g} %; friction coefficient {result.friction:.3g}",
+        f"{percent(result.ripple_error)}; friction coefficient {result.friction:.3g}",
     ]
     for body in result.bodies:
         lines += ["", f"{body.name[0].upper()}{body.name[1:]}, S = {body.slip:g}", *_table(body)]

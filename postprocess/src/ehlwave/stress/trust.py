@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 
+from ehlwave.shown import percent
 from ehlwave.surface.predict import Deformed
 from ehlwave.surface.ripple import hertz_pressure_of
 from ehlwave.surface.rough_pressure import Ripple
@@ -44,7 +45,7 @@ def doubts(
             "and the rest does not follow from small waves"
         )
     if bar > MODEL_ERROR:
-        found.append(f"the error bars of the responses are {100 * bar:.2g} % of the ripple")
+        found.append(f"the error bars of the responses are {percent(bar)} of the ripple")
     return found
 
 

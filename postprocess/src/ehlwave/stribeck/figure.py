@@ -19,6 +19,7 @@ def stribeck_figure(found: Stribeck) -> "Figure":
         From :func:`stribeck`.
     """
     from matplotlib.figure import Figure
+    from matplotlib.ticker import LogFormatter
 
     from ehlwave.results.figures import COLOURS
 
@@ -46,4 +47,7 @@ def stribeck_figure(found: Stribeck) -> "Figure":
     middle.set(ylabel="share of the load\non the solids", ylim=(-0.03, 1.03))
     bottom.plot(speed, 1000 * table["mean_film_um"], ".-", color=COLOURS[0])
     bottom.set(ylabel="mean film [nm]", xscale="log", yscale="log", xlabel="mean speed [m/s]")
+    for axis in (bottom.yaxis, bottom.xaxis):
+        axis.set_major_formatter("{x:g}")
+        axis.set_minor_formatter(LogFormatter(minor_thresholds=(1.5, 0.5)))
     return figure

@@ -45,7 +45,7 @@ def bars_figure(panels: Mapping[str, Sequence[tuple[Waves, float]]]) -> Figure:
         all_axes = figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0]
         for axes, (name, values) in zip(all_axes, panels.items(), strict=True):
             _draw_bars(axes, values)
-            axes.set_ylabel(f"exponent of {name}")
+            axes.set_ylabel(f"{name},\n% per 1 % of amplitude")
         all_axes[-1].set_xscale("log")
         all_axes[-1].set_xlabel(r"wavelength [$\mu$m]")
         found = all_axes[0].get_legend_handles_labels()

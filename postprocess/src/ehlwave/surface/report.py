@@ -11,7 +11,9 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from ehlwave.laws.transfer import EXTRAPOLATED
 from ehlwave.results.cf import with_cf
+from ehlwave.shown import percent
 from ehlwave.surface.answer import LIMITS_TEXT, answer_of
 from ehlwave.surface.narrower import narrower
 from ehlwave.surface.pair import PairStatistics
@@ -26,6 +28,8 @@ TITLE = "ehlwave: a surface as made and in the contact"
 UM = 1e6
 ANSWER = "Answer       "
 """Heading of the first line."""
+UNJUDGED = "Not judged", "Extrapolated"
+"""Headings of waves that the law does not cover."""
 CSV_FORMAT: Any = {"index": False, "float_format": "%.9g", "lineterminator": "\r\n"}
 
 
@@ -58,7 +62,7 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         share = result.error_m / s.rq_before_m if s.rq_before_m > 0 else 0.0
         lines.append(
             f"Error        {result.error_m * UM:.2g} um rms of the deformed heights, "
-            f"{100 * share:.2g} % of Rq before: by the error bars of the responses"
+            f"{percent(share)} of Rq before: by the error bars of the responses"
         )
     if s.mean_film_m is not None:
         lines += _film_lines(result)
@@ -73,10 +77,13 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         ratio = "" if t.lambda_ratio_after is None else f", lambda ratio {t.lambda_ratio_after:.4g}"
         lines.append(f"Others       {t.rq_after_m * UM:.4g} um Rq{ratio} by {other.transfer_name}")
     for group in result.unjudged:
+        reason, is_included, _ = group.reason.partition(EXTRAPOLATED)
+        heading = "Extrapolated" if is_included else "Not judged  "
         lines.append(
-            f"Not judged   {group.components} component(s) {group.reason}: "
+            f"{heading} {group.components:,} waves {reason}: "
             f"{100 * group.share_before:.3g} % of the mean square before, "
             f"{100 * group.share_after:.3g} % after"
+            f"{'; included in the error' if is_included else ''}"
         )
         # Components below a hundredth of Rq are counted, not named.
         least = 0.01 * s.rq_before_m
@@ -89,12 +96,12 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
 def brief_text(result: Deformed) -> str:
     """Return the answer, surface, conditions, film, errors, unjudged components and warnings."""
     kept = "Answer", "Surface", "Conditions", "Reduced by", "Film", "To narrow"
-    kept += "Not judged", "Warning"
+    kept += "Warning", *UNJUDGED
     lines, heading = [], ""
     for line in report_text(result).splitlines():
         heading = heading if line.startswith(" ") else line
         # Components that are not judged are counted, not named.
-        if heading.startswith(kept) and (line == heading or not heading.startswith("Not judged")):
+        if heading.startswith(kept) and (line == heading or not heading.startswith(UNJUDGED)):
             lines.append(line)
     return "\n".join([lines[0], f"Limits       {LIMITS_TEXT}", *lines[1:]])
 
@@ -115,7 +122,7 @@ def _film_lines(result: Deformed) -> list[str]:
         least += f": does not touch (boundary film {s.boundary_film_m * UM:.4g} um)"
     within = ""
     if s.mean_rise_by == "averaged flow" and s.mean_film_error is not None:
-        within = f" within {_percent(s.mean_film_error)}"
+        within = f" within {percent(s.mean_film_error)}"
     lines = [
         f"Film         mean {s.mean_film_m * UM:.4g} um{within} (smooth: {c.film_source}; {rise}), "
         f"{least}",
@@ -140,13 +147,9 @@ def pair_text(pair: PairStatistics) -> str:
 def _error_lines(s: FilmStatistics | PairStatistics, why: str = "") -> list[str]:
     if s.lambda_error is None or s.lambda_errors is None:
         return [f"             error of the latter: not known{why}"]
-    parts = ", ".join(f"{name} {_percent(error)}" for name, error in s.lambda_errors.items())
+    parts = ", ".join(f"{name} {percent(error)}" for name, error in s.lambda_errors.items())
     note = " (extrapolated)" if s.extrapolated else ""
-    return [f"             error of the latter {_percent(s.lambda_error)}: {parts}{note}"]
-
-
-def _percent(share: float) -> str:
-    return f"{100 * share:.2g} %" if share < 1 else "above 100 %"
+    return [f"             error of the latter {percent(s.lambda_error)}: {parts}{note}"]
 
 
 def report_json(result: Deformed) -> str:

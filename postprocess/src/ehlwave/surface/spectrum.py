@@ -146,7 +146,7 @@ class Coverage:
     def unjudged(self) -> list[Unjudged]:
         """Return the classes that are not empty."""
         classes = (
-            ("longer than the contact: lambda_x > 2a and lambda_y > 2b", self.long),
+            ("longer than the contact (lambda_x > 2a and lambda_y > 2b)", self.long),
             (self._transfer.outside_reason, self.outside),
         )
         return [

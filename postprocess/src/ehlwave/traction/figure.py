@@ -59,7 +59,7 @@ def traction_figure(found: Traction) -> "Figure":
         for name, colour, mark in zip(shown, COLOURS[2:], "os^v", strict=False):
             style = {"color": colour, "marker": mark, "ms": 3, "label": RISES[name]}
             panels[1].plot(table[RATIO], table[name], **style)
-        panels[1].set(ylabel="largest rise of the temperature [K]", ylim=(0, None))
+        panels[1].set(ylabel="largest temperature rise [K]", ylim=(0, None))
         panels[1].legend(frameon=False, fontsize=8)
     for axes in panels:
         axes.set(xscale="log", xlabel="slide-to-roll ratio")

@@ -5,7 +5,14 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.choices import WINDOWS
-from ehlwave.cli.arguments.shared import CONTACT, add_laws, add_overwrite, add_reading, later
+from ehlwave.cli.arguments.shared import (
+    CONTACT,
+    add_drawn_output,
+    add_laws,
+    add_overwrite,
+    add_reading,
+    later,
+)
 from ehlwave.cli.command_line import add_ratio
 
 DESCRIPTION = """\
@@ -163,6 +170,6 @@ def _add_prediction(parser: argparse.ArgumentParser) -> None:
         metavar="PROFILE",
         help="the other surface, read alike, which moves with 2 - S",
     )
-    parser.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
+    add_drawn_output(parser, "write files and figures there")
     add_overwrite(parser)
     parser.add_argument("--json", action="store_true", help="print JSON instead of text")

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from ehlwave.cli.arguments.shared import add_overwrite, later
+from ehlwave.cli.arguments.shared import add_drawn_output, add_overwrite, later
 
 COMMANDS = {
     "bearing": "films, roughness and stresses over the load zone of a rolling bearing",
@@ -87,7 +87,7 @@ def add_element_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does
         parser.add_argument(
             "file", type=Path, metavar="FILE", help="the element as a TOML file; see below"
         )
-        parser.add_argument("--output", type=Path, metavar="DIR", help="write the report there")
+        add_drawn_output(parser, "write the report there")
         add_overwrite(parser)
         parser.add_argument("--json", action="store_true", help="print JSON instead of text")
         parser.set_defaults(run=later("ehlwave.cli.elements", "run_element"), kind=name)

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.choices import FILM_BY
-from ehlwave.cli.arguments.shared import BY, add_overwrite, later
+from ehlwave.cli.arguments.shared import BY, add_drawn_output, add_overwrite, later
 
 DESCRIPTION = """\
 Parameters of an oil that measured films, frictions or amplitude ratios imply: least squares with
@@ -16,6 +16,8 @@ EPILOG = """\
 MEASUREMENTS is a CSV table. Columns are keys that vary (mean_speed_m_per_s, load_n,
 slide_to_roll_ratio, wavelength_over_a, ...), temperature_c or temperature_k, and measured results:
 central_film_um, minimum_film_um (or _nm, _m), friction_coefficient, harmonic_ratio (Ad/Ai).
+Headings of rigs are read, too: Entrainment speed (mm/s), SRR (%), Load (N), Temperature (C),
+Film thickness (nm), Minimum film thickness (nm), Traction coefficient.
 A column such as central_film_error has relative standard errors.
 
 Parameters: alpha, viscosity, eyring_stress, carreau_modulus, roelands, modulus,
@@ -59,7 +61,7 @@ def add_identify_command(commands: Any) -> None:  # noqa: ANN401 - argparse does
         help="relative standard error of the measurements; by default by the residuals",
     )
     parser.add_argument("--by", choices=FILM_BY, help=BY)
-    parser.add_argument("--output", type=Path, metavar="DIR", help="write table and figure there")
+    add_drawn_output(parser, "write table and figure there")
     add_overwrite(parser)
     parser.add_argument("--json", action="store_true", help="print JSON instead of text")
     parser.set_defaults(run=later("ehlwave.cli.identify", "run_identify"))

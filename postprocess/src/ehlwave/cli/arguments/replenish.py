@@ -1,10 +1,9 @@
 """Arguments of ``ehlwave replenish``."""
 
 import argparse
-from pathlib import Path
 from typing import Any
 
-from ehlwave.cli.arguments.shared import CONTACT, add_overwrite, later
+from ehlwave.cli.arguments.shared import CONTACT, add_drawn_output, add_overwrite, later
 
 DESCRIPTION = """\
 Film over overrollings and time of a starved track to which no oil comes back, as in a bearing with
@@ -50,7 +49,7 @@ def add_replenish_command(commands: Any) -> None:  # noqa: ANN401 - argparse doe
         metavar="N",
         help="number of overrollings (default: 1e6)",
     )
-    parser.add_argument("--output", type=Path, metavar="DIR", help="write table and figure there")
+    add_drawn_output(parser, "write table and figure there")
     add_overwrite(parser)
     parser.add_argument("--json", action="store_true", help="print JSON instead of text")
     parser.set_defaults(run=later("ehlwave.cli.replenish", "run_replenish"))

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.choices import DECIMALS, FORM, FORMS, HOW, LAWS
+from ehlwave.extras import load
 
 BY = (
     "law that answers; by default the first that holds, and where none does the contact is "
@@ -18,6 +19,16 @@ CONTACT = "the contact: an input file, KEY=VALUE, or both; see below"
 """Help of the option that gives a contact."""
 
 Run = Callable[[argparse.Namespace], None]
+
+
+def add_drawn_output(parser: argparse.ArgumentParser, text: str) -> None:
+    """Add the folder of figures; a missing package is named before anything is computed."""
+    parser.add_argument("--output", type=_drawn, metavar="DIR", help=text)
+
+
+def _drawn(folder: str) -> Path:
+    load("matplotlib")
+    return Path(folder)
 
 
 def later(module: str, name: str) -> Run:

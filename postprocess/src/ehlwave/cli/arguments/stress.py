@@ -5,7 +5,13 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.choices import POISSON_RATIO, WINDOWS
-from ehlwave.cli.arguments.shared import add_laws, add_overwrite, add_reading, later
+from ehlwave.cli.arguments.shared import (
+    add_drawn_output,
+    add_laws,
+    add_overwrite,
+    add_reading,
+    later,
+)
 from ehlwave.cli.command_line import add_ratio
 
 DESCRIPTION = """\
@@ -90,7 +96,7 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
     parser.add_argument(
         "--ends", choices=WINDOWS, default=WINDOWS[0], help="treatment of the ends of FILE"
     )
-    parser.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
+    add_drawn_output(parser, "write files and figures there")
     parser.add_argument("--json", action="store_true", help="print JSON instead of text")
     add_overwrite(parser)
     parser.set_defaults(run=later("ehlwave.cli.stress", "run_stress"))

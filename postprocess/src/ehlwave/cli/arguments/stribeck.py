@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.choices import STRIBECK_FACTORS, STRIBECK_SHARES
-from ehlwave.cli.arguments.shared import add_overwrite, later
+from ehlwave.cli.arguments.shared import add_drawn_output, add_overwrite, later
 
 DESCRIPTION = """\
 Stribeck curve of a line contact in mixed lubrication: friction, share of the load on the solids,
@@ -48,7 +48,7 @@ def add_stribeck_command(commands: Any) -> None:  # noqa: ANN401 - argparse does
         help="speeds over that at the smallest share; default: 1.1 to 10",
     )
     parser.add_argument("--ranks", type=int, default=1, metavar="N", help="MPI ranks; 1")
-    parser.add_argument("--output", type=Path, metavar="DIR", help="write table and figure there")
+    add_drawn_output(parser, "write table and figure there")
     add_overwrite(parser)
     parser.add_argument("--json", action="store_true", help="print JSON instead of text")
     parser.set_defaults(run=later("ehlwave.cli.stribeck", "run_stribeck"))

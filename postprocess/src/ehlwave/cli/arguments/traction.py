@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.choices import FILM_BY, TRACTION_RATIOS
-from ehlwave.cli.arguments.shared import BY, add_overwrite, later
+from ehlwave.cli.arguments.shared import BY, add_drawn_output, add_overwrite, later
 
 DESCRIPTION = """\
 Friction over the slide-to-roll ratio of a smooth contact, and its temperatures: isothermal, with
@@ -46,7 +46,7 @@ def add_traction_command(commands: Any) -> None:  # noqa: ANN401 - argparse does
     )
     parser.add_argument("--by", choices=FILM_BY, help=BY)
     parser.add_argument("--ranks", type=int, default=1, metavar="N", help="MPI ranks; 1")
-    parser.add_argument("--output", type=Path, metavar="DIR", help="write table and figure there")
+    add_drawn_output(parser, "write table and figure there")
     add_overwrite(parser)
     parser.add_argument("--json", action="store_true", help="print JSON instead of text")
     parser.set_defaults(run=later("ehlwave.cli.traction", "run_traction"))
