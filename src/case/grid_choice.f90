@@ -37,7 +37,7 @@ module ehlwave_grid_choice
    !> Share of the mesh of what the other parts leave to waves in time: their estimate has a margin. Other parts may
    !> take `largest_others`: with more no mesh would do.
    real(dp), parameter :: share_of_march = 0.6_dp, largest_others = 0.6_dp
-   real(dp), parameter :: share_of_proof = 0.9_dp         !! share of the least declared error of waves in time
+   real(dp), parameter :: share_of_proof = 0.85_dp        !! share of the least declared error of waves in time
 
 contains
 
@@ -153,7 +153,7 @@ contains
       logical, intent(in) :: is_fitted           !! scheme
       integer, intent(in) :: cells_per_step      !! dT/hX, see `choose_grid`
       integer, parameter :: halvings = 30
-      real(dp) :: left, provable, ratio, share, step   ! share: of the mesh without the error of longer steps
+      real(dp) :: by_model, left, provable, ratio, share, step   ! share: of the mesh without the error of longer steps
       integer :: n
 
       accurate_mesh = largest_mesh(conditions, case%accuracy)
@@ -167,36 +167,44 @@ contains
       if (pattern%waves > 0 .and. is_fitted) &
          accurate_mesh = 1/sqrt(1/accurate_mesh**2 + (pattern%slip*pattern%waves)**2*wave_x_factor/left)
       if (.not. pattern%has_ratio) return
-      if (case%response /= 'harmonic') then
-         provable = provable_mesh(left/accurate_mesh**2)
-         if (.not. pattern%moves) accurate_mesh = ratio**0.25_dp*accurate_mesh
-         accurate_mesh = min(accurate_mesh, provable)
-      end if
+      if (case%response == 'harmonic') return
+      provable = provable_mesh(left/accurate_mesh**2)
+      if (.not. pattern%moves) accurate_mesh = ratio**0.25_dp*accurate_mesh
+      by_model = accurate_mesh
+      accurate_mesh = min(by_model, provable)
       if (cells_per_step <= 1) return
       share = 0
       step = 1
       do n = 1, halvings
          step = 0.5_dp*step
-         if ((share + step)**2 + by_steps((share + step)*accurate_mesh)/left <= 1) share = share + step
+         if (fits((share + step)*accurate_mesh)) share = share + step
       end do
       accurate_mesh = share*accurate_mesh
 
    contains
 
+      !> Whether a mesh leaves room for the error of longer steps, by its model and by its declared error.
+      pure logical function fits(hx)
+         real(dp), intent(in) :: hx
+         fits = (hx/by_model)**2 + by_steps(hx)/left <= 1 .and. (hx/provable)**2 + by_steps(hx)/room_of_proof() <= 1
+      end function fits
+
+      !> Declared error that waves in time may have by the mesh and by longer steps.
+      pure real(dp) function room_of_proof()
+         type(roughness_t) :: both(2)
+         real(dp) :: others
+         both = case%surfaces()
+         others = expected_others(case)
+         if (any(both%wavelength_y_over_a > 0)) others = others + least_error(amplitude_ratio, &
+            kind_of(is_fitted, conditions%is_line()), share_of_waves*case%accuracy)
+         room_of_proof = share_of_proof*max((1 - largest_others)*case%accuracy, case%accuracy - others)
+      end function room_of_proof
+
       !> The largest hX whose declared error can be as small as the accuracy, however well coarser grids agree.
       pure real(dp) function provable_mesh(expected)
          real(dp), intent(in) :: expected     !! error by the mesh over the square of hX
-         type(roughness_t) :: both(2)
-         real(dp) :: others
-         integer :: kind
-         both = case%surfaces()
-         kind = kind_of(is_fitted, conditions%is_line())
-         others = expected_others(case)
-         if (any(both%wavelength_y_over_a > 0)) &
-            others = others + least_error(amplitude_ratio, kind, share_of_waves*case%accuracy)
-         provable_mesh = sqrt(share_of_proof*max((1 - largest_others)*case%accuracy, case%accuracy - others)/ &
-                              least_error(amplitude_ratio, kind, &
-                                          expected + light_error(expected_film(conditions), is_fitted)))
+         provable_mesh = sqrt(room_of_proof()/least_error(amplitude_ratio, kind_of(is_fitted, conditions%is_line()), &
+                                                          expected + light_error(expected_film(conditions), is_fitted)))
       end function provable_mesh
 
       !> Error by the time steps on a mesh.
