@@ -327,17 +327,19 @@ def record():
 
 def speeds():
     """Counted work, which no other job of the machine changes."""
-    get = lambda work, method, column="counted": cell("speed/speed.csv", column, work=work, method=method)  # noqa: E731
+    get = lambda work, method, column="counted", unit="WU": cell("speed/speed.csv", column, work=work, method=method, unit=unit)  # noqa: E731
     steady, step, ratio = "steady state, 257 x 257", "one time step, 257 x 257", "steady state, 1025 x 1025 over 257 x 257"
     memory = "memory, 1025 x 1025"
     return [
         ("| steady state, 257 x 257 | {} | {} |", [get(steady, "newton"), get(steady, "fas")]),
         ("| one time step, transverse waves of 0.5 a, 257 x 257 | {} | {}, V cycles |", [get(step, "newton"), get(step, "fas")]),
         ("| linear response to them | {} | |", [get("linear response, 257 x 257", "newton")]),
-        ("(a march from rest: 4600) | {} | |", [get("periodic state", "newton")]),
+        ("(a march from rest, with its error estimate: {}) | {} | |",
+         [small_waves("march", cells="256")[0], get("periodic state", "newton")]),
         ("against 257 x 257 | {} times, {} MiB | {} times, {} MiB |",
-         [get(ratio, "newton"), get(memory, "newton", "figure"), get(ratio, "fas"), get(memory, "fas", "figure")]),
-        ("1025 x 1025 nodes take {} times the work of 257 x 257 and {} times the time", [get(ratio, "auto"), get(ratio, "auto", "figure")]),
+         [get(ratio, "newton", unit="times"), get(memory, "newton", "figure", "MiB"), get(ratio, "fas", unit="times"),
+          get(memory, "fas", "figure", "MiB")]),
+        ("1025 x 1025 nodes take {} times the work of 257 x 257 and {} times the time", [get(ratio, "auto", unit="times"), get(ratio, "auto", "figure", "times")]),
         ("its steady state {} besides, a march of the waves {} ", [get(steady, "newton"), small_waves("march", cells="256")[0]]),
     ]
 

@@ -190,12 +190,10 @@ def read_element(path: str | Path, kind: str | None = None) -> ElementDocument:
 
 
 def _toml(place: Path) -> dict[str, Any]:
-    if sys.version_info < (3, 11):
-        raise SurfaceError(
-            f"{place}: TOML files need Python 3.11 or newer; this is "
-            f"{sys.version_info[0]}.{sys.version_info[1]}: use ehlwave.elements in Python"
-        )
-    import tomllib
+    if sys.version_info >= (3, 11):
+        import tomllib
+    else:
+        import tomli as tomllib
 
     try:
         return tomllib.loads(place.read_text(encoding="utf-8"))

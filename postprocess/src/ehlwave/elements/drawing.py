@@ -46,8 +46,8 @@ def drawing_svg(element: str) -> str:
         DRAWINGS[element](axes)
         axes.set_aspect("equal")
         axes.set_axis_off()
-        FigureCanvasSVG(figure)
-        figure.savefig(file, format="svg", bbox_inches="tight", metadata={"Date": None})
+        canvas = FigureCanvasSVG(figure)
+        canvas.print_figure(file, format="svg", bbox_inches="tight", metadata={"Date": None})
     text = file.getvalue()
     text = text[text.index("<svg") :]
     size = r'style="width:100%;max-width:\1pt;height:auto"'

@@ -43,6 +43,7 @@ class Ehlwave(CMakePackage, PythonExtension):
         depends_on("py-matplotlib@3.9:")
         depends_on("py-lmfit@1.3.2:")
         depends_on("py-pandas@2.2.3:")
+        depends_on("py-tomli@2.0:", when="^python@:3.10")
 
     depends_on("python@3.10:", type="test", when="~python")   # ehlwave-accept
 
