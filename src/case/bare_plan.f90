@@ -1,6 +1,6 @@
 !> The plan of one case without its effects: what is computed, on which grid, in how many steps, and why.
 module ehlwave_bare_plan
-   use ehlwave_accuracy_model, only: expected_film_error, wave_x_factor
+   use ehlwave_accuracy_model, only: expected_film_error, light_error, wave_x_factor
    use ehlwave_case_files, only: case_file_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_error_parts, only: error_parts_t
@@ -52,7 +52,8 @@ module ehlwave_bare_plan
       real(dp) :: rest = 0                           !! T from which on effects that change should no longer move the
                                                      !! film
       integer :: largest_total_steps = 0             !! cap on the nonlinear steps of the finest grid,
-      real(dp) :: largest_work = huge(1.0_dp)        !! cap on operations where the case gives none, see `cap_work`
+      real(dp) :: largest_work = huge(1.0_dp)        !! cap on operations where the case gives none, see `cap_work`,
+      real(dp) :: largest_work_in_all = huge(1.0_dp)   !! and with finer runs
       integer :: phases = 0                          !! steady solutions of a standing pattern
       type(resolution_t) :: resolution
       type(error_parts_t) :: expected                !! relative errors of Ad/Ai, of smooth contacts of H(0,0); from
@@ -93,15 +94,11 @@ contains
          wave_mesh_error = wave_x_factor*(self%surfaces%largest_slip()/self%resolution%points_x)**2
    end function wave_mesh_error
 
-   !> Relative error of Ad/Ai, or of a response, to expect by the mesh. In a light contact the film is as thick as the
-   !> bodies approach and does not come from the inlet: where the waves keep their amplitude the rest nearly vanishes. A
-   !> fitted scheme has the same error at any film.
+   !> Relative error of Ad/Ai, or of a response, to expect by the mesh.
    pure real(dp) function expected_ratio_mesh_error(self, film)
       class(bare_plan_t), intent(in) :: self
       real(dp), intent(in) :: film         !! H(0,0)
-      real(dp), parameter :: light_factor = 8   !! over hX^2
-      expected_ratio_mesh_error = self%expected%mesh &
-                                  + light_factor*self%hx**2*min(1.0_dp, merge(1.0_dp, film, self%is_fitted))
+      expected_ratio_mesh_error = self%expected%mesh + light_error(film, self%is_fitted)*self%hx**2
    end function expected_ratio_mesh_error
 
    !> Operations to expect, error estimates included.

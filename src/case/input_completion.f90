@@ -10,6 +10,8 @@ module ehlwave_input_completion
    use ehlwave_kinds, only: dp
    use ehlwave_key_applicability, only: check_applicability
    use ehlwave_key_list, only: find_key, key_list_t
+   use ehlwave_linear_range, only: linear_amplitude
+   use ehlwave_roughness, only: roughness_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -109,12 +111,13 @@ contains
    end subroutine choose_wavelength
 
    !> Keys that `accuracy` chooses where they are not given: cells and time step by the plan, tolerances well below the
-   !> accuracy. Measured: a step tolerance of 1e-3 leaves up to 2e-3 of Ad/Ai, most for long waves; steady states are
-   !> exact to a tenth of their tolerance or better.
+   !> accuracy, amplitudes that respond like small waves. Measured: a step tolerance of 1e-3 leaves up to 2e-3 of Ad/Ai,
+   !> most for long waves; steady states are exact to a tenth of their tolerance or better.
    subroutine choose_for_accuracy(input, list)
       type(case_input_t), intent(inout) :: input
       type(key_list_t), intent(in) :: list
       real(dp), parameter :: loosest_step_tolerance = 1e-3_dp
+      real(dp), parameter :: share_of_amplitude = 0.2_dp   !! share of the accuracy
       type(case_t) :: usual
 
       associate (case => input%case)
@@ -125,9 +128,30 @@ contains
          if (is_free('settling_periods') .and. case%edges == 'flooded') case%settling_periods = 2
          if (is_free('step_tolerance')) case%step_tolerance = min(loosest_step_tolerance, 0.05_dp*case%accuracy)
          if (is_free('tolerance')) case%tolerance = min(usual%tolerance, 1e-3_dp*case%accuracy)
+         if (case%edges == 'truncated' .or. case%response == 'harmonic' .or. .not. case%has_linear_range()) return
+         call choose_amplitude(case%roughness_t, 'amplitude_over_film')
+         call choose_amplitude(case%effects%second%roughness, 'amplitude_over_film_2')
       end associate
 
    contains
+
+      !> Amplitude of waves in time, reduced to two digits where larger waves respond unlike small ones.
+      subroutine choose_amplitude(waves, key)
+         type(roughness_t), intent(inout) :: waves
+         character(len=*), intent(in) :: key
+         real(dp), parameter :: rounding = 1e-9_dp
+         type(roughness_t) :: both(2)
+         real(dp) :: largest, unit
+
+         both = input%case%surfaces()
+         if (.not. waves%is_wavy() .or. waves%amplitude_m > 0 .or. .not. is_free(key)) return
+         largest = (1 + rounding)*linear_amplitude(input%case, waves%surface, &
+                                                   share_of_amplitude*input%case%accuracy/count(both%is_wavy()))
+         if (largest >= waves%amplitude_over_film) return
+         unit = 10.0_dp**(1 - floor(log10(largest)))
+         waves%amplitude_over_film = floor(largest*unit)/unit
+         waves%is_amplitude_chosen = .true.
+      end subroutine choose_amplitude
 
       logical function is_free(key)
          character(len=*), intent(in) :: key

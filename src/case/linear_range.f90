@@ -19,7 +19,7 @@ module ehlwave_linear_range
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: expected_nonlinearity, is_beyond_linear, linear_limit_text
+   public :: expected_nonlinearity, is_beyond_linear, linear_amplitude, linear_limit_text
 
    real(dp), parameter, public :: tolerated_difference = 0.01_dp   !! tolerated difference of Ad/Ai, relative, within
                                                                    !! the linear range
@@ -53,19 +53,26 @@ contains
    function linear_limit_text(case) result(text)
       type(case_t), intent(in) :: case
       character(len=:), allocatable :: text
-      text = limit(case%slip_parameter)//' % of the film'
-      if (case%effects%second%roughness%is_wavy()) &
-         text = text//' on surface 1 and '//limit(2 - case%slip_parameter)//' % on surface 2'
+      text = limit(1)//' % of the film'
+      if (case%effects%second%roughness%is_wavy()) text = text//' on surface 1 and '//limit(2)//' % on surface 2'
 
    contains
 
-      function limit(speed)
-         real(dp), intent(in) :: speed        !! see `curvature`
+      function limit(surface)
+         integer, intent(in) :: surface
          character(len=:), allocatable :: limit
-         limit = to_text(100*min(1.0_dp, sqrt(tolerated_difference/curvature(case, speed))), 2)
+         limit = to_text(100*linear_amplitude(case, surface, tolerated_difference), 2)
       end function limit
 
    end function linear_limit_text
+
+   !> Largest Ai of a surface, over the film, with at most this relative difference of Ad/Ai from small waves.
+   elemental real(dp) function linear_amplitude(case, surface, difference)
+      type(case_t), intent(in) :: case
+      integer, intent(in) :: surface       !! 1 or 2, the other one smooth
+      real(dp), intent(in) :: difference
+      linear_amplitude = min(1.0_dp, sqrt(difference/curvature(case, surface_speed(surface, case%slip_parameter))))
+   end function linear_amplitude
 
    !> Difference over (Ai over the film)^2, for the waves of a surface.
    elemental real(dp) function curvature(case, speed)

@@ -16,8 +16,10 @@ module ehlwave_plan_effort
    !> step is finished.
    real(dp), parameter, public :: most_work = 10
    real(dp), parameter :: share_of_most = 0.8_dp
+   real(dp), parameter, public :: most_finer_work = 3   !! times that cap, with finer runs for an accuracy
    real(dp), parameter :: estimate_cost = 0.15_dp    !! of the coarser grids of a case, whose steps are dT = hX, over
-                                                     !! a march with such steps
+                                                     !! a march with such steps,
+   real(dp), parameter :: standing_estimate_cost = 0.35_dp   !! and over a standing pattern
    real(dp), parameter :: response_work_units = 50   !! work units of a linear response on half a domain and the change
                                                      !! of the
                                                      !! mean; measured: 35 to 80
@@ -92,7 +94,8 @@ contains
       if (.not. (plan%is_half .or. plan%conditions%is_line())) plan%expected_work_units = 2*plan%expected_work_units
       plan%work_with_estimates = plan%expected_work_units
       if (plan%surfaces%is_rough() .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
-         plan%work_with_estimates = (1 + estimate_cost*merge(1.0_dp, 1/long_step_work, plan%cells_per_step == 1)) &
+         plan%work_with_estimates = (1 + merge(standing_estimate_cost, estimate_cost &
+            *merge(1.0_dp, 1/long_step_work, plan%cells_per_step == 1), plan%kind == run_standing)) &
                                     *plan%expected_work_units
    end subroutine expect
 
@@ -104,13 +107,18 @@ contains
       phase_cost = 0.5_dp*(1 + amplitude)/(1 - 0.9_dp*amplitude)
    end function phase_cost
 
-   !> A case takes at most ten times the work that its plan expects, rescues, error estimates and runs on finer grids
-   !> included, unless it has a cap of its own, `largest_total_steps`.
+   !> A run takes at most ten times the work that its plan expects, rescues and error estimates included, and a case
+   !> with finer runs for an accuracy at most thirty times, unless it has a cap of its own, `largest_total_steps`.
+   !> Measured: twice the cells of a march take eleven times the work.
    subroutine cap_work(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
       plan%largest_work = huge(1.0_dp)
-      if (case%largest_total_steps == 0) plan%largest_work = share_of_most*most_work*plan%expected_work()
+      plan%largest_work_in_all = plan%largest_work
+      if (case%largest_total_steps > 0) return
+      plan%largest_work = share_of_most*most_work*plan%expected_work()
+      plan%largest_work_in_all = plan%largest_work*merge(most_finer_work, 1.0_dp, &
+                                                         case%accuracy > 0 .and. case%edges == 'flooded')
    end subroutine cap_work
 
 end module ehlwave_plan_effort

@@ -151,6 +151,8 @@ contains
             text = text//', Ai = '//to_text(roughness%amplitude_m*1e6_dp, 4)//' um'
          else
             text = text//', Ai = '//to_text(roughness%amplitude_over_film, 4)//' of the smooth central film'
+            if (roughness%is_amplitude_chosen) text = text//' (chosen for the accuracy: larger waves may respond '// &
+               'unlike small waves)'
          end if
       else
          text = 'none (smooth surfaces)'

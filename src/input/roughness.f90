@@ -14,6 +14,7 @@ module ehlwave_roughness
       real(dp) :: wavelength_x_over_a = 0, wavelength_y_over_a = 0   !! 0: no variation; completed
       logical :: oblique = .false.
       real(dp) :: amplitude_over_film = 0.2_dp           !! estimated where `amplitude_m` is given
+      logical :: is_amplitude_chosen = .false.           !! no key: `amplitude_over_film` follows from the accuracy
       real(dp) :: amplitude_m = 0                        !! 0: by the film
       real(dp) :: phase_deg = 0                          !! of waves at rest whose surfaces may touch
       character(len=path_length) :: surface_file = ''    !! measured surface in place of waviness

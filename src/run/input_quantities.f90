@@ -113,7 +113,8 @@ contains
       call list%add('expected_memory_mib', 'peak memory expected by the plan', plan%expected_memory_mib(), unit='MiB')
       call list%add('expected_total_work_units', 'the same with error estimates', plan%work_with_estimates)
       call list%add('largest_work_units', 'work at which the case ends, in plain FFT convolutions of the grid', &
-                    plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), exists=plan%has_work_cap())
+                    plan%largest_work_in_all/work_unit_operations(plan%cells_x, plan%cells_y), &
+                    exists=plan%has_work_cap())
       call add_key(list, keys, 'step_tolerance')
       associate (c => plan%conditions)
          call list%add('central_film_formula', 'central film by theory eq. (H1), of a line contact (H2), '// &

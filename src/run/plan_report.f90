@@ -141,7 +141,7 @@ contains
       type(case_plan_t), intent(in) :: plan
       character(len=:), allocatable :: text
       if (plan%has_work_cap()) then
-         text = 'at most '//to_text(plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), 2)// &
+         text = 'at most '//to_text(plan%largest_work_in_all/work_unit_operations(plan%cells_x, plan%cells_y), 2)// &
             ' work units'
       else
          text = 'at most '//to_text(plan%largest_total_steps)//' steps (largest_total_steps)'

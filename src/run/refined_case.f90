@@ -13,7 +13,7 @@ module ehlwave_refined_case
    use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
-   use ehlwave_plan_effort, only: most_work
+   use ehlwave_plan_effort, only: most_finer_work, most_work
    use ehlwave_plan_refinement, only: refine_plan
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantities, only: add_result
@@ -26,7 +26,7 @@ module ehlwave_refined_case
    private
    public :: run_refined_case
 
-   integer, parameter :: most_refinements = 2
+   integer, parameter :: most_refinements = 3
 
 contains
 
@@ -66,7 +66,7 @@ contains
       call run_estimated_case(case, plan, monitor, result, shared, keeper)
       call take_errors(case, plan, result)
       if (.not. case%accuracy > 0 .or. case%edges == 'truncated' .or. result%status /= status_converged) return
-      largest_work = plan%largest_work
+      largest_work = plan%largest_work_in_all
       taken = result%all_work
       do while (result%error_estimate > case%accuracy .and. result%refinements < most_refinements)
          if (monitor%request /= go_on) exit
@@ -144,7 +144,8 @@ contains
       parts = parts_of(case, result)
       others = max(parts%mesh, parts%domain, parts%time, parts%algebraic)
       text = ': ask for less, or leave cells and domain to the plan with a larger largest_cells '// &
-         '(and &solver largest_total_steps, where a finer run would take a case beyond '//to_text(most_work, 3)// &
+         '(and &solver largest_total_steps, where finer runs would take a case beyond '// &
+         to_text(most_finer_work*most_work, 3)// &
          ' times its plan)'
       by_effect = ''
       if (.not. case%has_ratio()) by_effect = result%effects%advice(plan, parts%total())

@@ -89,7 +89,8 @@ def offenders(cases: list[Row]) -> tuple[list[Row], str]:
         ]
         work = compare.work_over_plan(found, case["plan"])
         has_own_cap = case["row"].get("largest_total_steps", 0) > 0  # replaces the plan's value
-        if not has_own_cap and not work <= compare.MOST_WORK:
+        most = compare.MOST_WORK * (compare.FINER_RUNS if "accuracy" in case["row"] else 1)
+        if not has_own_cap and not work <= most:
             off.append({"number": "work over plan", "value": work})
         if finer is not None and finer["status"] in SETTLED:
             judged += 1
@@ -115,7 +116,8 @@ def _summary(cases: list[Row], rows: list[Row], judged: int, numbers: int) -> st
             f"{sum('off' in row for row in rows)} of them further off than {compare.FACTOR} times "
             f"their error plus {compare.SLACK:.1%}",
             f"{sum(row['number'] in compare.FILMS for row in rows)} negative films",
-            f"{len(cases) - heavy} of {len(cases)} within {compare.MOST_WORK} times their plan",
+            f"{len(cases) - heavy} of {len(cases)} within {compare.MOST_WORK} times their plan, "
+            f"{compare.MOST_WORK * compare.FINER_RUNS} with an accuracy",
         ]
     )
 

@@ -16,7 +16,9 @@ LIMIT = 4 / 3
 NOTHING = 1e-12
 """Numbers that are zero but for rounding, such as friction in pure rolling."""
 MOST_WORK = 10
-"""Largest work over the planned work."""
+"""Largest work over the planned work,"""
+FINER_RUNS = 3
+"""and times as much with finer runs for an accuracy."""
 
 # Parts shared by both runs are no part of their difference: the domain, and the size of the waves.
 FILM_PARTS = ("film_error_mesh", "film_error_meniscus", "film_error_algebraic")

@@ -36,7 +36,7 @@ def accuracy(options: argparse.Namespace) -> int:
     input on twice the cells and half the time step: H(0,0), smallest H, Ad/Ai, complex response,
     friction. Offenders are in offenders.csv; about 20 minutes on two cores. Exit status: 0 if no
     number is further off than 1.5 times its error plus 0.2 %, no film is negative, and no case
-    takes more than ten times its planned work.
+    takes more than ten times its planned work (30 times with an accuracy).
 
     --calibrate draws contacts over every key in classes, computes each on half, twice and four
     times the cells and on twice the domain, and goes on where it was stopped; with --part or in a

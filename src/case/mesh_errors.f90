@@ -8,7 +8,7 @@ module ehlwave_mesh_errors
    use ehlwave_kinds, only: dp, no_value
    implicit none (type, external)
    private
-   public :: kind_of, mesh_error, observed_order, richardson_error
+   public :: kind_of, least_error, mesh_error, observed_order, richardson_error
 
    real(dp), parameter :: model_share = 0.3_dp     !! of the expected error: grids can agree by chance
    real(dp), parameter :: formal_order = 2
@@ -31,6 +31,13 @@ contains
       kind = merge(3, 1, is_fitted) + merge(1, 0, is_line)
    end function kind_of
 
+   !> Least relative error that coarser grids can show.
+   elemental real(dp) function least_error(quantity, kind, expected)
+      integer, intent(in) :: quantity, kind        !! see `mesh_error`
+      real(dp), intent(in) :: expected             !! relative error by the model
+      least_error = by_grids(quantity, kind)*model_share*expected
+   end function least_error
+
    !> Relative error of values(1).
    pure type(mesh_error_t) function error_of_real(quantity, kind, values, expected, order) result(error)
       integer, intent(in) :: quantity              !! row of the table
@@ -51,7 +58,8 @@ contains
 
       by_richardson = richardson_error(values, order)
       if (ieee_is_finite(by_richardson)) then
-         error = mesh_error_t(by_grids(quantity, kind)*max(by_richardson, model_share*expected), 'coarse_grid')
+         error = mesh_error_t(max(by_grids(quantity, kind)*by_richardson, least_error(quantity, kind, expected)), &
+                              'coarse_grid')
       else if (expected > 0) then
          error = mesh_error_t(by_model(quantity, kind)*expected, 'model')
       end if
