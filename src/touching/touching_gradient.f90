@@ -76,7 +76,7 @@ contains
 
       call self%system%state_weights(p_weight, h_weight, c_weight, right)
       right(self%n) = speed_weight
-      call self%gmres%solve(self%system, right, adjoint, exact)
+      call self%system%solve(self%gmres, right, adjoint, exact)
       is_solved = self%gmres%reduction <= exact
    end subroutine solve
 

