@@ -5,8 +5,9 @@
 - ``paper``: cases, formulas and report of ``scripts/reproduce --full``, with ``experiment`` and
   ``two_waves``;
 - accuracy and cost: ``accuracy``, ``all_keys``, ``answered``, ``budget``, ``calibrate``,
-  ``elements``, ``error_time``, ``line_work``, ``speed``, ``threads``, ``stability``,
-  ``touching``, ``touching_films``, ``peers`` with ``peer_runs`` and ``peer_slippy``;
+  ``elements``, ``error_time``, ``identified``, ``line_work``, ``speed``, ``threads``,
+  ``stability``, ``touching``, ``touching_films``, ``peers`` with ``peer_runs`` and
+  ``peer_slippy``;
 - shipped data: ``atlas``, ``starvation``, ``heat``, ``heat_ends``, ``heat_films``,
   ``heated_contacts``, ``inlet_law``, ``inlet_tables``, ``judged``;
 - published values that tests compare: ``published``, ``rolling``.

@@ -7,7 +7,6 @@ error of the noise is estimated by the fit: intervals are those of the t distrib
 
 import argparse
 import math
-import sys
 import warnings
 from pathlib import Path
 
@@ -85,4 +84,4 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--draws", type=int, default=DRAWS)
     table = pd.DataFrame([drawn(FIRST + k) for k in range(parser.parse_args().draws)])
-    table.to_csv(sys.stdout, index=False, float_format="%.4g")
+    print(table.to_csv(index=False, float_format="%.4g"), end="")
