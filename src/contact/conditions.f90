@@ -124,23 +124,24 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(contact_data_t), intent(in), optional :: data
       real(dp), parameter :: rounded_off = 0.995_dp   ! three digits of a bound, rounded, are within it
-      character(len=:), allocatable :: given, load_key
-      real(dp) :: largest_m, load
+      character(len=:), allocatable :: given, bound
+      real(dp) :: largest_m, load, unit
 
       given = 'load_parameter_m = '//to_text(self%m, 6)//' and lubricant_parameter_l = '//to_text(self%l, 6)//' give '
       if (.not. self%alphabar <= largest_alphabar) then
          largest_m = rounded_off*self%m*(largest_alphabar/self%alphabar)**merge(2, 3, self%is_line())
-         load_key = 'load_parameter_m'
-         load = self%m
+         bound = 'load_parameter_m of at most '//to_text(largest_m, 3)
          if (present(data)) then
-            load_key = trim(merge('load_n_per_m', 'load_n      ', data%load_n_per_m > 0))
             load = max(data%load_n, data%load_n_per_m)
-            given = load_key//' = '//to_text(load, 6)//' gives '
+            given = load_text(data, load, ' = ')//' gives '
+            load = load*(largest_m/self%m)
+            unit = 10.0_dp**(floor(log10(max(load, tiny(load)))) - 2)
+            bound = load_text(data, unit*anint(load/unit), ' of at most ')
          end if
          given = given//'alpha ph = '//to_text(self%alphabar, 4)//', which is outside the model range (at most '// &
                  to_text(largest_alphabar, 3)//'): give '
          if (largest_m > 0) then
-            call raise(error, given//load_key//' of at most '//to_text(largest_m*(load/self%m), 3))
+            call raise(error, given//bound)
          else
             call raise(error, given//'a smaller lubricant_parameter_l')
          end if
@@ -149,6 +150,20 @@ contains
                     'give a '//trim(merge('smaller', 'larger ', self%m > 1))//' load_parameter_m')
       end if
    end subroutine check_range
+
+   !> Load with its key and unit: 'load_n of at most 762000 N'.
+   function load_text(data, load, relation) result(text)
+      type(contact_data_t), intent(in) :: data
+      real(dp), intent(in) :: load
+      character(len=*), intent(in) :: relation
+      character(len=:), allocatable :: text
+
+      if (data%load_n_per_m > 0) then
+         text = 'load_n_per_m'//relation//to_text(load, 9)//' N/m'
+      else
+         text = 'load_n'//relation//to_text(load, 9)//' N'
+      end if
+   end function load_text
 
    !> Scales of an elliptical contact, theory eq. (3) to (6).
    pure subroutine set_ellipse(self)

@@ -190,9 +190,12 @@ contains
       data = given
       data%load_n = 1e9_dp
       call conditions_from_dimensional(data, c, error)
-      call test%check_error(error, 'load_n = 1e9 gives alpha ph', 'load too large')
+      call test%check_error(error, 'load_n = 1e9 N gives alpha ph', 'load too large')
       if (.not. allocated(error)) return
-      read (error%message(index(error%message, ' ', back=.true.):), *) data%load_n
+      associate (bound => error%message(index(error%message, 'of at most ', back=.true.) + 11:))
+         call test%check(scan(bound, 'e') == 0 .and. index(bound, ' N') == len(bound) - 1, 'the load is plain, in newtons: '//bound)
+         read (bound, *) data%load_n
+      end associate
       call conditions_from_dimensional(data, c, error)
       call test%check_no_error(error, 'the named load')
       call test%check_close(c%alphabar, 500.0_dp, 'alpha ph of the largest load', relative=0.005_dp)
