@@ -29,7 +29,7 @@ CHANGES = [
     ("NaN", "conditions", "load_parameter_m", Raw("NaN"), "load_parameter_m"),
     ("infinity", "conditions", "load_parameter_m", Raw("1e999"), "load_parameter_m"),
     ("negative", "conditions", "load_parameter_m", -5, "load_parameter_m"),
-    ("beyond the model", "conditions", "load_parameter_m", 1e9, "load_parameter_m is at most 1.47e6"),
+    ("beyond the model", "conditions", "load_parameter_m", 1e9, "give load_parameter_m of at most 1.47e6"),
     ("beyond numbers", "conditions", "load_parameter_m", Raw("1e-300"), "give a larger load_parameter_m"),
     ("zero", "conditions", "load_parameter_m", 0, "load_parameter_m"),
     ("negative L", "conditions", "lubricant_parameter_l", -1, "lubricant_parameter_l"),

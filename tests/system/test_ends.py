@@ -176,7 +176,7 @@ class Memory(Ends):
         (self.folder/"sweep.nml").write_text(namelist({"sweep": {"case_file": "rows.csv", "output": "rows.h5"}}))
         few = limited("RLIMIT_AS", 4000*MIB)
         plan = self.call(SWEEP, "sweep.nml", "--plan", before=few)
-        self.assertIn("TOO LITTLE MEMORY for 1 cases", plan.stdout)
+        self.assertIn("TOO LITTLE MEMORY for 1 case:", plan.stdout)
         outcome = self.call(SWEEP, "sweep.nml", before=few)
         self.check_status(outcome, INACCURATE)
         self.assertRegex(outcome.stdout, r"2 converged\n +1 over_budget")

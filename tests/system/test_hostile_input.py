@@ -65,7 +65,7 @@ class HostileInput(FolderTest):
         self.write("sweep.nml", namelist({"sweep": lists, "grid": GRID}))
         self.judge("4 million combinations", "4000000 combinations", "sweep", "sweep.nml", "--plan")
         self.write("sweep.nml", "&sweep load_parameter_m = 50000*20, lubricant_parameter_l = 5, radius_ratio_d = 1 /\n")
-        self.judge("50000 times the same", "1 cases,", "sweep", "sweep.nml", "--plan", status=0)
+        self.judge("50000 times the same", "1 case,", "sweep", "sweep.nml", "--plan", status=0)
 
     def test_tables(self):
         self.write("sweep.nml", namelist({"sweep": {"case_file": "cases.csv"}, "grid": GRID}))
@@ -83,7 +83,7 @@ class HostileInput(FolderTest):
             self.write("cases.csv", text)
             self.judge(what, needle, "sweep", "sweep.nml", "--plan")
         self.write("cases.csv", b"\xef\xbb\xbf" + f"{header}\r\n100,5,1\r\n".encode())
-        self.judge("a table of a spreadsheet", "1 cases,", "sweep", "sweep.nml", "--plan", status=0)
+        self.judge("a table of a spreadsheet", "1 case,", "sweep", "sweep.nml", "--plan", status=0)
 
     def test_surfaces(self):
         try:

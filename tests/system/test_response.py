@@ -80,7 +80,7 @@ class Response(TestCase):
         self.assertEqual(plan["time_steps"], 0)
 
     def test_plan_for_an_accuracy(self):
-        """The response needs a small part of the work of the transient, whose steps are one, two or four cells."""
+        """The response needs a small part of the work of the transient. Steps beside a response have its frequency: one cell."""
         plans = {}
         for response in ("harmonic", "both", "transient"):
             with tempfile.TemporaryDirectory() as folder:
@@ -88,12 +88,13 @@ class Response(TestCase):
                 path.write_text(namelist({"conditions": CONTACT, "waviness": {**WAVES, "response": response},
                                           "solver": {"accuracy": 0.02}}))
                 plans[response] = last_line(run("case", path, "--plan", "--json"))
-        harmonic, both, transient = plans["harmonic"], plans["both"], plans["transient"]
-        self.assertEqual(both["cells_x"], transient["cells_x"])
         for plan in plans.values():
-            self.assertTrue(0.005 < plan["expected_error"] <= 0.02)
-        cells = both["time_step"]*both["cells_x"]/(both["domain_x_max"] - both["domain_x_min"])
-        self.assertIn(round(cells, 9), (1, 2, 4))
+            self.assertLessEqual(plan["expected_error"], 0.02)
+        harmonic, both, transient = plans["harmonic"], plans["both"], plans["transient"]
+        self.assertGreater(harmonic["expected_error"], 0.005)   # waves in time: finer, for the error that they can declare
+        for plan, longest in ((both, 1), (transient, 2)):
+            cells = plan["time_step"]*plan["cells_x"]/(plan["domain_x_max"] - plan["domain_x_min"])
+            self.assertIn(round(cells, 9), range(1, longest + 1))
         self.assertLess(harmonic["expected_work_units"], 0.05*both["expected_work_units"])
 
     def test_waves_that_touch(self):

@@ -66,7 +66,7 @@ class Terminal(FolderTest):
         self.assertIn("stalled", text)
         self.assertIn("?]0;x?", text)
         text = self.check("sweep", "sweep.nml", status=1)
-        self.assertIn("computed by ehlwave ?]0;x?", text)
+        self.assertIn("ehlwave ?]0;x??[2J", text)
         store = self.folder/"results.store"/"store"
         store.write_text(HARM)
         self.check("sweep", "sweep.nml", status=2)

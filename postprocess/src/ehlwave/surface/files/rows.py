@@ -6,6 +6,7 @@ import csv
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 from ehlwave.errors import SurfaceError, printable
@@ -181,6 +182,7 @@ def _is_cell(cell: str) -> bool:
     return not cell or is_number(cell) or is_missing(cell)
 
 
+@lru_cache(maxsize=64)  # a line is counted for the lines above, too
 def _count(line: str, separator: str | None) -> int:
     """Return how many numbers a line has, 0 if it has something else or none."""
     if separator is not None and separator not in line:
@@ -195,11 +197,13 @@ def _count(line: str, separator: str | None) -> int:
     return len(cells) if count else 0
 
 
+@lru_cache(maxsize=64)
 def _cells(line: str, separator: str | None) -> int:
     """Return how many cells a line has, whatever they hold."""
     return len(line.split()) if separator is None else line.count(separator) + 1
 
 
+@lru_cache(maxsize=64)
 def _separator(line: str) -> str | None:
     """Return the separator of the numbers of a line."""
     for separator in SEPARATORS:
