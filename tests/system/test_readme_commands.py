@@ -211,7 +211,8 @@ class Commands(unittest.TestCase):
                 text = "import ehlwave\n" + text
                 with self.subTest(readme=readme):
                     (self.folder/"shown.py").write_text(text + "\n")
-                    self.shell('"$PYTHON" -W error::UserWarning -W "ignore:large errors" -W "ignore:the inlet would warm" shown.py')
+                    self.shell('"$PYTHON" -W error::UserWarning -W "ignore:large errors" -W "ignore:the inlet would warm" '
+                               '-W ignore::DeprecationWarning shown.py')
 
     def test_scripts_and_links_that_are_named_are_there(self):
         for readme in READMES:
