@@ -153,7 +153,8 @@ contains
       logical, intent(in) :: is_fitted           !! scheme
       integer, intent(in) :: cells_per_step      !! dT/hX, see `choose_grid`
       integer, parameter :: halvings = 30
-      real(dp) :: by_model, left, provable, ratio, share, step   ! share: of the mesh without the error of longer steps
+      real(dp) :: by_model, left, provable, ratio, room, step
+      real(dp) :: share                          ! of the mesh without the error of longer steps
       integer :: n
 
       accurate_mesh = largest_mesh(conditions, case%accuracy)
@@ -168,6 +169,7 @@ contains
          accurate_mesh = 1/sqrt(1/accurate_mesh**2 + (pattern%slip*pattern%waves)**2*wave_x_factor/left)
       if (.not. pattern%has_ratio) return
       if (case%response == 'harmonic') return
+      room = room_of_proof()
       provable = provable_mesh(left/accurate_mesh**2)
       if (.not. pattern%moves) accurate_mesh = ratio**0.25_dp*accurate_mesh
       by_model = accurate_mesh
@@ -186,7 +188,9 @@ contains
       !> Whether a mesh leaves room for the error of longer steps, by its model and by its declared error.
       pure logical function fits(hx)
          real(dp), intent(in) :: hx
-         fits = (hx/by_model)**2 + by_steps(hx)/left <= 1 .and. (hx/provable)**2 + by_steps(hx)/room_of_proof() <= 1
+         real(dp) :: error
+         error = by_steps(hx)
+         fits = (hx/by_model)**2 + error/left <= 1 .and. (hx/provable)**2 + error/room <= 1
       end function fits
 
       !> Declared error that waves in time may have by the mesh and by longer steps.
@@ -203,7 +207,7 @@ contains
       !> The largest hX whose declared error can be as small as the accuracy, however well coarser grids agree.
       pure real(dp) function provable_mesh(expected)
          real(dp), intent(in) :: expected     !! error by the mesh over the square of hX
-         provable_mesh = sqrt(room_of_proof()/least_error(amplitude_ratio, kind_of(is_fitted, conditions%is_line()), &
+         provable_mesh = sqrt(room/least_error(amplitude_ratio, kind_of(is_fitted, conditions%is_line()), &
                                                           expected + light_error(expected_film(conditions), is_fitted)))
       end function provable_mesh
 

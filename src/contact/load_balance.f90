@@ -7,6 +7,7 @@ module ehlwave_load_balance
 
    real(dp), parameter, public :: load_factor = 3/(2*pi)   !! makes the nominal load 1: 3/(2 pi) int P = 1
 
+   real(dp), parameter :: earlier(3) = [-5.0_dp, 4.0_dp, -1.0_dp]   !! of Delta at T - dT, T - 2 dT, T - 3 dT
    real(dp), parameter :: immovable = 1e8_dp   !! inertia against which pressures move the approach by nothing that
                                                !! counts
 
@@ -18,6 +19,7 @@ module ehlwave_load_balance
       real(dp), private :: rate = 0       ! 1/(Omega dT)^2
    contains
       procedure :: residual
+      procedure :: earlier_weights
       procedure :: carry
    end type load_balance_t
 
@@ -68,8 +70,15 @@ contains
    pure subroutine carry(self, history)
       class(load_balance_t), intent(inout) :: self
       real(dp), intent(in) :: history(3)
-      self%carried = self%rate*(-5*history(1) + 4*history(2) - history(3))
+      self%carried = self%rate*(earlier(1)*history(1) + earlier(2)*history(2) + earlier(3)*history(3))
    end subroutine carry
+
+   !> Derivatives of `carried` by Delta at T - dT, T - 2 dT, T - 3 dT.
+   pure function earlier_weights(self) result(weights)
+      class(load_balance_t), intent(in) :: self
+      real(dp) :: weights(size(earlier))
+      weights = self%rate*earlier
+   end function earlier_weights
 
    !> Residual of the balance for a pressure integral and an approach.
    pure real(dp) function residual(self, pressure_integral, delta)

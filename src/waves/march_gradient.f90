@@ -157,7 +157,7 @@ contains
                   call transport%carry_row_transposed(grid, l, r(:, j), self%content(:, j, of, l - 1))
                end do
             end do
-            self%approach(of, :2) = self%approach(of, :2) - self%vectors(n, of)*step%inertia*[-5.0_dp, 4.0_dp, -1.0_dp]
+            self%approach(of, :2) = self%approach(of, :2) - self%vectors(n, of)*step%given%load%earlier_weights()
          end do
       end associate
    end subroutine pass_back

@@ -8,7 +8,6 @@ module ehlwave_march_past
    use ehlwave_kinds, only: dp
    use ehlwave_known_waves, only: known_waves_t
    use ehlwave_last_period, only: last_period_t
-   use ehlwave_load_balance, only: equation_of_motion, force_balance
    use ehlwave_march_keeper, only: kept_march_t
    use ehlwave_march_result, only: march_result_t
    use ehlwave_march_settings, only: march_settings_t
@@ -60,9 +59,7 @@ contains
       if (allocated(self%waves)) deallocate (self%waves)
       associate (problem => level%problem, grid => level%problem%grid, given => level%given, state => level%state)
          given%transport = characteristic_transport(grid, settings%cells_per_step, settings%steps_per_cell)
-         given%load = force_balance(1.0_dp)
-         if (settings%natural_frequency > 0) &
-            given%load = equation_of_motion(1.0_dp, settings%natural_frequency, self%settings%time_step(grid))
+         given%load = settings%balance(grid, 1.0_dp)
          if (allocated(self%supply)) deallocate (self%supply)
          if (allocated(given%supply)) allocate (self%supply(0:grid%ny), source=given%supply)
          call self%history%begin(problem, given, state)

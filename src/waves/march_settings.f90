@@ -2,6 +2,7 @@
 module ehlwave_march_settings
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
+   use ehlwave_load_balance, only: equation_of_motion, force_balance, load_balance_t
    use ehlwave_surfaces, only: surfaces_t
    implicit none (type, external)
    private
@@ -18,6 +19,7 @@ module ehlwave_march_settings
       real(dp) :: oil_factor = 1, oil_change_start = 0, oil_change_length = 0
    contains
       procedure :: time_step
+      procedure :: balance
       procedure :: repeat_time
       procedure :: amplitude
       procedure :: oil_share
@@ -36,6 +38,16 @@ contains
       type(grid_t), intent(in) :: grid
       time_step = grid%hx*self%cells_per_step/self%steps_per_cell
    end function time_step
+
+   !> Balance of a time step on a grid: the equation of motion where a natural frequency is given.
+   pure function balance(self, grid, force) result(load)
+      class(march_settings_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: force            !! load over the nominal load
+      type(load_balance_t) :: load
+      load = force_balance(force)
+      if (self%natural_frequency > 0) load = equation_of_motion(force, self%natural_frequency, self%time_step(grid))
+   end function balance
 
    !> The smallest amplitude of the patterns, in units of c.
    pure real(dp) function amplitude(self)

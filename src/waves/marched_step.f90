@@ -4,7 +4,6 @@ module ehlwave_marched_step
    use ehlwave_contact_variant, only: contact_variable_t
    use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
-   use ehlwave_load_balance, only: equation_of_motion, force_balance, load_balance_t
    use ehlwave_march_recording, only: march_recording_t
    use ehlwave_march_settings, only: march_settings_t
    use ehlwave_state, only: new_state, state_t
@@ -20,7 +19,6 @@ module ehlwave_marched_step
       type(given_t) :: given
       type(state_t), allocatable :: states(:)   !! the solution and those before, (0:steps_back)
       integer :: steps_back = 0
-      real(dp) :: inertia = 0                   !! 1/(Omega dT)^2 of the equation of motion
       integer, private :: step = huge(1)
       type(time_history_t), private :: history
       real(dp), allocatable, private :: smooth(:, :, :)   ! H without waves, (0:nx, 0:ny, 0:steps_back)
@@ -51,20 +49,11 @@ contains
             self%states(l) = new_state(grid)
          end do
          allocate (self%smooth(0:grid%nx, 0:grid%ny, 0:self%steps_back))
-         self%given%load = balance(settings, grid%hx*settings%cells_per_step/settings%steps_per_cell)
-         self%inertia = self%given%load%inertia/2
+         self%given%load = settings%balance(grid, settings%force)
       end associate
       self%step = huge(self%step)
       call self%history%begin(problem, self%given, steady)
    end subroutine init
-
-   pure function balance(settings, dt) result(load)
-      type(march_settings_t), intent(in) :: settings
-      real(dp), intent(in) :: dt
-      type(load_balance_t) :: load
-      load = force_balance(settings%force)
-      if (settings%natural_frequency > 0) load = equation_of_motion(settings%force, settings%natural_frequency, dt)
-   end function balance
 
    !> Step k, which comes before the step loaded last, and goes on to the states that both have.
    subroutine load(self, problem, recording, k)
