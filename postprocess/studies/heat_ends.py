@@ -70,9 +70,7 @@ GROUPS = {
     "light_again": Group(3, 100, True, (0.4, 5.0), (0.0, 10.0), (1e6, 1.5e7), LIGHT_LINE),
     "light_fresh": Group(11, 100, True, (0.4, 5.0), (0.0, 10.0), (1e6, 1.5e7), LIGHT_LINE),
     "rigid": Group(4, 60, True, (0.02, 0.6), (0.0, 1e3), HARD, RIGID, (2.0, 25.0), True),
-    "soft_ellipses": Group(
-        5, 16, False, (5.0, 1500.0), (0.0, 0.4), SOFT, FINE_POINT, rolls=False
-    ),
+    "soft_ellipses": Group(5, 16, False, (5.0, 1500.0), (0.0, 0.4), SOFT, FINE_POINT, rolls=False),
     "thick_ellipses": Group(
         6, 14, False, (5.0, 1500.0), (0.4, 1.0), (1e6, 1.5e7), FINE_POINT, rolls=False
     ),

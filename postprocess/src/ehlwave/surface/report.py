@@ -78,9 +78,9 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         lines.append(f"Others       {t.rq_after_m * UM:.4g} um Rq{ratio} by {other.transfer_name}")
     for group in result.unjudged:
         reason, is_included, _ = group.reason.partition(EXTRAPOLATED)
-        heading = "Extrapolated" if is_included else "Not judged  "
+        heading = UNJUDGED[bool(is_included)]
         lines.append(
-            f"{heading} {group.components:,} waves {reason}: "
+            f"{heading:<12} {group.components:,} waves {reason}: "
             f"{100 * group.share_before:.3g} % of the mean square before, "
             f"{100 * group.share_after:.3g} % after"
             f"{'; included in the error' if is_included else ''}"

@@ -56,12 +56,9 @@ def _unnamed(heights: Sequence[Any]) -> list[Any]:
     if len(heights) != 1:
         return []
     other = {"amplitude", "phase", "error", "deflection", "friction", "lateral", "current"}
-    return (
-        []
-        if {*words_of(str(heights[0].name))} & other
-        or heading_of(str(heights[0].name)).role == "other"
-        else [heights[0]]
-    )
+    name = str(heights[0].name)
+    is_other = heading_of(name).role == "other" or {*words_of(name)} & other
+    return [] if is_other else [heights[0]]
 
 
 def _is_height(name: str) -> bool:
