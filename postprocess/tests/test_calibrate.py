@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from studies.calibrate import factors, sample
+from studies.calibrate import factors, judged, sample
 from studies.calibrate.contacts import classes_of, scaled, widened
 from studies.programs import ROOT
 
@@ -19,7 +19,7 @@ def errors(kind: str, scale: float, count: int) -> list[factors.Row]:
         {
             **{"contact": number, "classes": "line", "quantity": "response", "kind": kind},
             **{"basis": "coarse_grid", "ratio": scale * rng.random(), "declared": 0.02},
-            "before": 0.03,
+            **{"before": 0.03, "is_large": ".false.", "resolved": ".true."},
         }
         for number in range(count)
     ]
@@ -33,6 +33,7 @@ def test_the_table_is_made_from_the_record() -> None:
 
 def test_a_written_table_is_read(tmp_path: Path) -> None:
     table = {name: number + 0.5 for number, name in enumerate(factors.read_table())}
+    assert len(table) == sum(len(names) for names in factors.TABLES.values())
     factors.write_table(table, 100, tmp_path / "table.f90")
     assert factors.read_table(tmp_path / "table.f90") == table
 
@@ -42,10 +43,30 @@ def test_quantiles_stand_in_for_kinds_without_a_sample() -> None:
     found = factors.factors(errors("averaged line", 4.0, 400), present)
     averaged = found[factors.key("response", "averaged line", "coarse_grid")]
     assert averaged == pytest.approx(3.96, rel=0.02)
-    assert found[factors.key("response", "fitted line", "coarse_grid")] >= averaged
+    for quantity in ("response", "amplitude_ratio"):
+        assert found[factors.key(quantity, "fitted line", "coarse_grid")] == averaged
     assert found[factors.key("response", "averaged line", "model")] >= averaged
-    few = factors.factors(errors("averaged line", 0.1, factors.FEWEST - 1), present)
-    assert few == present
+    films = factors.key("central_film", "fitted line", "coarse_grid")
+    assert found[films] == present[films]
+
+
+def test_few_contacts_have_no_smaller_factor_than_all() -> None:
+    many, few = errors("averaged line", 1.0, 400), errors("fitted line", 0.1, factors.FEWEST - 1)
+    found = factors.factors(many + few, factors.read_table())
+    name = factors.key("response", "fitted line", "coarse_grid")
+    assert found[name] == pytest.approx(0.99, rel=0.02)
+    few = errors("fitted line", 5.0, factors.FEWEST - 1)
+    assert factors.factors(many + few, found)[name] == max(row["ratio"] for row in few)
+
+
+@pytest.mark.parametrize(("column", "value"), [("is_large", ".true."), ("resolved", ".false.")])
+def test_results_with_a_warning_count_apart(column: str, value: str) -> None:
+    large = [row | {column: value} for row in errors("averaged line", 90.0, 400)]
+    rows = errors("averaged line", 4.0, 400) + large
+    present = factors.read_table()
+    assert factors.factors(rows, present) == factors.factors(rows[:400], present)
+    names = {row["class"] for row in factors.coverage(rows, present)}
+    assert names == {"all", "line", "large" if column == "is_large" else "unresolved"}
 
 
 def test_coverage_of_contacts_left_out() -> None:
@@ -76,6 +97,36 @@ def test_grids_of_a_contact() -> None:
     wide = widened(row)
     assert (wide["x_max"] - wide["x_min"]) / wide["cells_x"] == 4 / 32
     assert 2 * wide["y_max"] / wide["cells_y"] == 4 / 48
+
+
+def test_errors_by_mesh_and_domain() -> None:
+    contact = {
+        "number": 3,
+        "classes": ["line"],
+        "truth": {"central_film": 1.1, "friction_coefficient": 2e-6},
+        "wide": {"central_film": 0.98},
+        "before": {"central_film": 0.3},
+    }
+    found = {
+        "scheme": "averaged",
+        **{"central_film": 1.0, "friction_coefficient": 1e-6, "friction_error": 0.1},
+        **{"film_error_mesh": 0.2, "film_error_domain": 0.04, "friction_error_domain": 0.0},
+        **{"film_error_basis": "model", "is_resolved": True},
+    }
+    table = dict.fromkeys(factors.read_table(), 2.0)
+    mesh, domain = judged._errors(contact, found, table)
+    assert (mesh["kind"], domain["kind"]) == ("averaged line", factors.DOMAIN)
+    assert (mesh["off"], domain["off"]) == pytest.approx((0.1, 0.02))
+    assert (mesh["ratio"], domain["ratio"]) == pytest.approx((1.0, 1.0), rel=1e-3)
+    assert not mesh["is_large"]
+    (large, _) = judged._errors(contact, found | {"film_error_mesh": 0.7}, table)
+    assert large["is_large"]
+
+
+def test_recorded_contacts_need_no_files(tmp_path: Path) -> None:
+    rows = [{"row": {"viscosity_table": "/tmp/table.csv"}}, {"row": {"load_n": 3}}]
+    judged.write_contacts(tmp_path / "contacts.jsonl", rows)
+    assert (tmp_path / "contacts.jsonl").read_text() == '{"row":{"load_n":3}}\n'
 
 
 def test_contacts_of_all_parts_are_kept(tmp_path: Path) -> None:

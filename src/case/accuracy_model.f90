@@ -10,7 +10,7 @@ module ehlwave_accuracy_model
    implicit none (type, external)
    private
    public :: expected_film_error, expected_long_step_error, expected_ratio_error, &
-      expected_step_error, light_error, largest_mesh, points_for, steady_work_units, step_work_units
+      expected_step_error, light_error, light_film_error, largest_mesh, points_for, steady_work_units, step_work_units
 
    real(dp), parameter :: film_factor = 0.172_dp           !! model 'film'
    real(dp), parameter :: moving_factor = 0.265_dp         !! model 'moving_ratio'
@@ -89,6 +89,12 @@ contains
       real(dp), parameter :: largest = 8
       light_error = largest*min(1.0_dp, merge(1.0_dp, film, is_fitted))
    end function light_error
+
+   !> Error of H(0,0) in light contacts, over the square of hX: the film does not come from a steep inlet there.
+   elemental real(dp) function light_film_error(film)
+      real(dp), intent(in) :: film             !! H(0,0)
+      light_film_error = min(1.0_dp, film)
+   end function light_film_error
 
    !> Relative error of Ad/Ai by the step tolerance alone, on any grid.
    pure real(dp) function expected_step_error(step_tolerance)

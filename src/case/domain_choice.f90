@@ -2,6 +2,7 @@
 module ehlwave_domain_choice
    use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_error_factors, only: by_domain, central_film, response
    use ehlwave_far_field, only: far_field_t, new_far_field, rising_exponent
    use ehlwave_film_flow, only: film_flow_t
    use ehlwave_film_rules, only: across_film_t
@@ -106,9 +107,9 @@ contains
          by_pressure = thickening*by_pressure
       end if
       errors = 1 - exp(-by_pressure - by_load)
-      if (.not. case%has_ratio()) return
-      if (case%edges /= 'flooded') errors(2) = ratio_share*errors(2)
-      if (case%edges == 'flooded') errors(2) = min(1.0_dp, errors(2) + by_waves)
+      if (case%has_ratio()) errors(2) = merge(errors(2) + by_waves, ratio_share*errors(2), case%edges == 'flooded')
+      if (case%edges == 'flooded') errors = min(1.0_dp, errors*by_domain([central_film, merge(response, central_film, &
+                                                                                             case%has_ratio())]))
    end function expected_domain_errors
 
    !> Relative error of Ad/Ai by waves that reach beyond the inlet edge: the far field at a flooded edge has no waves.

@@ -47,6 +47,7 @@ module ehlwave_bare_result
       real(dp) :: central_film_error = no_value      !! error of H(0,0), from the multigrid levels
       real(dp) :: minimum_film_error = no_value      !! error of the smallest H, likewise
       real(dp) :: friction_error = no_value          !! error of the friction coefficient, likewise
+      real(dp) :: film_domain_error = 0              !! error of central_film by the edges of a flooded domain
       real(dp) :: minimum_film_domain_error = no_value, friction_domain_error = no_value   !! parts of them by the edges
       character(len=12) :: film_error_basis = ''     !! basis of the errors: 'coarse_grid' or 'model'
       real(dp) :: film_order = no_value              !! observed order of H(0,0) on the three finest levels

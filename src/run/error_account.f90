@@ -31,7 +31,8 @@ contains
       type(case_result_t), intent(inout) :: result
 
       result%film_errors = error_parts_t(mesh=result%central_film_error, &
-                                         domain=plan%film_domain_error + result%effects%edge_error(), &
+                                         domain=merge(plan%film_domain_error, result%film_domain_error, &
+                                                      case%edges == 'truncated'), &
                                          algebraic=case%tolerance &
                                          *merge(multigrid_share, steady_share, case%method == 'fas'))
       if (case%method == 'fas') result%minimum_film_error = result%minimum_film_error + smallest_share*case%tolerance

@@ -1,7 +1,8 @@
 !> Expected error of the friction coefficient, for the rule of `ehlwave_mesh_errors`.
 !>
 !> Where stress follows viscosity, much of the friction is in the pressure spike, which grows with every grid. The
-!> growth since the next coarser grid is added once more, and the law of the oil gives the friction then.
+!> growth since the next coarser grid is added once more, and the law of the oil gives the friction then. Its change is
+!> taken `further_growths` times: finer grids have as much each.
 module ehlwave_friction_error
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
@@ -13,10 +14,11 @@ module ehlwave_friction_error
 
    real(dp), parameter :: usual_growth = 0.1_dp  !! growth of the largest pressure, at least, where d ln(eta)/dP is
    real(dp), parameter :: steep = 15             !! this; measured: 0 to 0.2
+   real(dp), parameter :: further_growths = 5    !! halvings of the mesh size until the spike no longer grows
 
 contains
 
-   !> Relative change of the friction by one more growth of the pressure spike.
+   !> Relative change of the friction by further growths of the pressure spike.
    real(dp) function spike_growth(levels, friction) result(change)
       type(level_t), intent(in) :: levels(:)     !! finest first, solved but for some
       real(dp), intent(in) :: friction           !! on the finest
@@ -32,7 +34,7 @@ contains
          end if
          grown = finest%state
          grown%p = grown%p + max(0.0_dp, grown%p - before(1))
-         change = abs(friction_at(finest%problem, grown)/friction - 1)
+         change = further_growths*abs(friction_at(finest%problem, grown)/friction - 1)
       end associate
    end function spike_growth
 

@@ -1,12 +1,11 @@
 !> Resistance to rolling of the smooth contact, by the moment of its pressure: theory eq. (T12) to (T14).
 module ehlwave_rolling_result
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_error_factors, only: rolling
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, no_value
-   use ehlwave_mesh_errors, only: kind_of, mesh_error, mesh_error_t
+   use ehlwave_mesh_errors, only: mesh_error, mesh_error_t
    use ehlwave_rolling_moment, only: shift_inside, shift_outside, wet_share
    use ehlwave_state, only: state_t
    implicit none (type, external)
@@ -21,8 +20,10 @@ module ehlwave_rolling_result
       real(dp) :: error = no_value                    !! relative, of all of them
       real(dp) :: domain_error = no_value             !! part of it by the edges of the domain
       real(dp), private :: share_missing = 0          ! share of it, for the missing oil outside a dry edge
+      real(dp), allocatable, private :: shifts(:)     ! of the pressure's centre on each grid, finest first
    contains
       procedure :: take
+      procedure :: estimate
       procedure :: add_errors
       procedure :: force
       procedure :: moment
@@ -30,17 +31,14 @@ module ehlwave_rolling_result
    end type rolling_result_t
 
    integer, parameter :: fewest_domains = 2        !! out to which oil counts, at least
-   real(dp), parameter :: film_share = 0.25_dp     !! share of the film error, at least: grids can agree by chance
    real(dp), parameter :: far_share = 0.03_dp      !! error of the far field, over its contribution
 
 contains
 
    !> Account of a steady solution. Oil outside the domain counts out to Rx, where bodies are no longer paraboloids.
-   subroutine take(self, levels, is_first_order)
+   subroutine take(self, levels)
       class(rolling_result_t), intent(inout) :: self
       type(level_t), intent(in) :: levels(:)   !! finest first
-      logical, intent(in) :: is_first_order    !! whether errors by the mesh are
-      type(mesh_error_t) :: error
       real(dp) :: all_outside, outside, shift(size(levels)), times
       integer :: l
 
@@ -55,13 +53,23 @@ contains
          self%pressure_centre_x = -shift(1)
          self%share_outside = outside/shift(1)
          self%share_missing = (all_outside - outside)/shift(1)
-         error = mesh_error(rolling, kind_of(problem%grid%is_fitted, problem%grid%is_line), shift, 0.0_dp, &
-                            merge(1.0_dp, 2.0_dp, is_first_order))
-         self%error = error%relative
+         self%shifts = shift
          if (problem%conditions%radius_over_a() > 0) &
             self%coefficient = shift(1)/(2*problem%conditions%radius_over_a())
       end associate
    end subroutine take
+
+   !> Error by the mesh.
+   pure subroutine estimate(self, kind, expected, order)
+      class(rolling_result_t), intent(inout) :: self
+      integer, intent(in) :: kind              !! see `kind_of`
+      real(dp), intent(in) :: expected         !! error of H(0,0), relative, by the model
+      real(dp), intent(in) :: order            !! of errors by the mesh
+      type(mesh_error_t) :: error
+      if (.not. allocated(self%shifts)) return
+      error = mesh_error(rolling, kind, self%shifts, expected, order)
+      self%error = error%relative
+   end subroutine estimate
 
    !> Distance up to which oil outside counts, over the size of the domain.
    pure real(dp) function times_outside(problem) result(times)
@@ -79,17 +87,15 @@ contains
                      wet_share(problem, state))/(2*problem%conditions%radius_over_a())
    end function rolling_coefficient
 
-   !> Complete the error, so far the mesh error; where no second grid shows it, it is the film error.
-   pure subroutine add_errors(self, film_error, edge_error, solver_error, lacks_oil)
+   !> Complete the error, so far the mesh error.
+   pure subroutine add_errors(self, edge_error, solver_error, lacks_oil)
       class(rolling_result_t), intent(inout) :: self
-      real(dp), intent(in) :: film_error   !! error of H(0,0), relative, by the mesh
       real(dp), intent(in) :: edge_error   !! by the edges of the domain
       real(dp), intent(in) :: solver_error   !! by the solution of effects, as of temperatures
       logical, intent(in) :: lacks_oil     !! whether a longer domain would be full from farther upstream
-      if (.not. ieee_is_finite(self%error)) self%error = film_error
       self%domain_error = edge_error + far_share*self%share_outside
       if (lacks_oil) self%domain_error = self%domain_error + self%share_missing
-      self%error = max(self%error, film_share*film_error) + self%domain_error + solver_error
+      self%error = self%error + self%domain_error + solver_error
    end subroutine add_errors
 
    !> Force at each surface, N, of a line contact N/m.

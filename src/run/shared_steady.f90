@@ -119,7 +119,7 @@ contains
       self%rolling = rolling_result_t()
       associate (levels => self%multigrid%levels)
          if (levels(size(levels))%report%status == status_converged) &
-            call self%rolling%take(levels(size(levels):1:-1), plan%effects%are_first_order())
+            call self%rolling%take(levels(size(levels):1:-1))
       end associate
       self%work = self%multigrid%work()
    end subroutine prepare

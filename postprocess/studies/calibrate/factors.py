@@ -18,37 +18,50 @@ BOUND = 0.99
 KINDS = ("averaged ellipse", "averaged line", "fitted ellipse", "fitted line")
 """Schemes and shapes of contacts: the columns of the table."""
 BASES = ("coarse_grid", "model")
+DOMAIN = "domain"
+"""Kind and basis of errors by the edges of the domain."""
 QUANTITIES = (
     *("central_film", "smallest_film", "friction", "rolling", "response", "amplitude_ratio"),
 )
-FEWEST = 30
-"""Contacts from which a quantile is taken; the larger factors of other kinds stand in for fewer."""
+FEWEST = 100
+"""Contacts from which a kind has a factor of its own; the kinds together stand in for fewer."""
+ALIKE = {"amplitude_ratio": ("amplitude_ratio", "response")}
+"""Quantities that stand in for one with few contacts."""
+FIXED = ("friction", "rolling")
+"""Quantities whose domain error is that of the film times a sensitivity, and the oil outside."""
 HALVES, SEED = 20, 7
 
 
 def factors(rows: Sequence[Row], present: dict[str, float]) -> dict[str, float]:
     """Return the factor of each quantity, kind and basis, by the names of `key`.
 
-    Rows have the error of a number over its rule, ``ratio``. A factor without enough rows is the
-    larger of its present value and of the factors of other kinds.
+    Rows have the error of a number over its rule, ``ratio``. A factor with few rows is the largest
+    of them and of the factor of all kinds; without any it keeps its present value.
     """
     found = dict(present)
+    judged = [row for row in rows if not _apart(row)]
     for quantity in QUANTITIES:
+        alike = [row for row in judged if row["quantity"] in ALIKE.get(quantity, (quantity,))]
         for basis in BASES:
-            enough = {}
+            every = _bound(ratios(alike, basis=basis))
             for kind in KINDS:
-                some = ratios(rows, quantity=quantity, kind=kind, basis=basis)
-                if some.size >= FEWEST:
-                    enough[kind] = float(np.quantile(some, BOUND, method="weibull"))
-            for kind in KINDS:
-                name = key(quantity, kind, basis)
-                others = max(enough.values(), default=0.0)
-                found[name] = enough.get(kind, max(others, present[name]))
-    for quantity in QUANTITIES:
+                some = ratios(judged, quantity=quantity, kind=kind, basis=basis)
+                own = _bound(some)
+                bound = own if some.size >= FEWEST else np.fmax(own, every)
+                if np.isfinite(bound):
+                    found[key(quantity, kind, basis)] = float(bound)
         for kind in KINDS:
             by_model = key(quantity, kind, "model")
             found[by_model] = max(found[by_model], found[key(quantity, kind, "coarse_grid")])
+        edges = _bound(ratios(judged, quantity=quantity, basis=DOMAIN))
+        if quantity not in FIXED and np.isfinite(edges):
+            found[key(quantity, DOMAIN, DOMAIN)] = edges
     return found
+
+
+def _bound(ratios: np.ndarray) -> float:
+    """Return the quantile of the bound; the largest of few, NaN of none."""
+    return float(np.quantile(ratios, BOUND, method="weibull")) if ratios.size else math.nan
 
 
 def kind_of(scheme: str, is_line: bool) -> str:
@@ -78,9 +91,22 @@ def coverage(rows: Sequence[Row], present: dict[str, float]) -> list[Row]:
             if row["contact"] in half:
                 continue
             times = row["ratio"] / fitted[key(row["quantity"], row["kind"], row["basis"])]
-            for one in ("all", *row["classes"].split()):
+            for one in _classes(row):
                 held.setdefault((row["quantity"], row["kind"], one), []).append(times)
     return [_covered(rows, name, times) for name, times in sorted(held.items())]
+
+
+def _apart(row: Row) -> str:
+    """Return the class of an error whose result carries a warning in any case; '' of others."""
+    if row["resolved"] != ".true.":
+        return "unresolved"
+    return "large" if row["is_large"] == ".true." else ""
+
+
+def _classes(row: Row) -> tuple[str, ...]:
+    """Return the classes of an error."""
+    apart = _apart(row)
+    return (apart,) if apart else ("all", *row["classes"].split())
 
 
 def _covered(rows: Sequence[Row], name: tuple[str, str, str], times: list[float]) -> Row:
@@ -88,8 +114,7 @@ def _covered(rows: Sequence[Row], name: tuple[str, str, str], times: list[float]
     same = [
         row
         for row in rows
-        if (row["quantity"], row["kind"]) == (quantity, kind)
-        and one in ("all", *row["classes"].split())
+        if (row["quantity"], row["kind"]) == (quantity, kind) and one in _classes(row)
     ]
     array = np.array(times)
     return {
@@ -112,7 +137,7 @@ def _mean(values: list[float]) -> float:
 
 def read_errors(path: Path) -> list[Row]:
     """Return the errors of a record."""
-    texts = ("classes", "quantity", "kind", "basis", "resolved")
+    texts = ("classes", "quantity", "kind", "basis", "resolved", "is_large")
     with path.open(newline="", encoding="utf-8") as file:
         return [
             {name: cell if name in texts else float(cell or "nan") for name, cell in row.items()}
@@ -122,29 +147,37 @@ def read_errors(path: Path) -> list[Row]:
 
 def read_table(path: Path = TABLE) -> dict[str, float]:
     """Return the factors in the Fortran table."""
-    lines = path.read_text(encoding="utf-8").splitlines()
+    text = path.read_text(encoding="utf-8")
     found = {}
-    for basis, name in zip(BASES, ("by_grids", "by_model"), strict=True):
-        first = next(n for n, line in enumerate(lines) if f":: {name}(" in line)
-        for number, kind in enumerate(KINDS):
-            words = lines[first + 1 + number].split("]")[0].replace("&", "").split(",")
-            values = [float(word.replace("_dp", "")) for word in words if word.strip()]
-            found |= {key(q, kind, basis): v for q, v in zip(QUANTITIES, values, strict=True)}
+    for name, names in TABLES.items():
+        numbers = text.split(f":: {name}(", 1)[1].split("[", 1)[1].split("]", 1)[0]
+        words = numbers.replace("&", "").replace("_dp", "").split(",")
+        found |= dict(zip(names, map(float, words), strict=True))
     return found
 
 
 def write_table(found: dict[str, float], contacts: int, path: Path = TABLE) -> None:
     """Write the Fortran table."""
     text = HEAD.format(contacts=contacts)
-    for basis, name in zip(BASES, ("by_grids", "by_model"), strict=True):
-        shape = f"{len(QUANTITIES)}, {len(KINDS)}"
-        text += f"   real(dp), parameter, public :: {name}({shape}) = reshape([ &\n"
-        for kind in KINDS:
-            end = ", &" if kind != KINDS[-1] else f"], [{shape}])"
-            values = [f"{found[key(q, kind, basis)]:#.3g}_dp" for q in QUANTITIES]
-            text += f"      {', '.join(values)}{end}\n"
+    count = len(QUANTITIES)
+    for name, names in TABLES.items():
+        lines = [
+            ", ".join(f"{found[one]:#.3g}_dp" for one in names[first : first + count])
+            for first in range(0, len(names), count)
+        ]
+        shape = f"{count}, {len(lines)}" if len(lines) > 1 else f"{len(names)}"
+        start, end = ("reshape([", f"], [{shape}])") if len(lines) > 1 else ("[", "]")
+        text += f"   real(dp), parameter, public :: {name}({shape}) = {start} &\n      "
+        text += ", &\n      ".join(lines) + f"{end}\n"
     Writer(overwrite=True).text(path, text + "\nend module ehlwave_error_factors\n")
 
+
+TABLES = {
+    "by_grids": [key(q, kind, "coarse_grid") for kind in KINDS for q in QUANTITIES],
+    "by_model": [key(q, kind, "model") for kind in KINDS for q in QUANTITIES],
+    "by_domain": [key(q, DOMAIN, DOMAIN) for q in QUANTITIES if q != "amplitude_ratio"],
+}
+"""Tables of the Fortran module, and the factors in each."""
 
 HEAD = """\
 !> Factors of declared errors. Written by `scripts/study accuracy --calibrate`: do not edit.
@@ -160,4 +193,5 @@ module ehlwave_error_factors
                                  rolling = 4, response = 5, amplitude_ratio = 6
 
    !> With a coarser grid, and by the model alone: (quantity, kind), kinds of `kind_of`.
+   !> By the edges of a flooded domain: (quantity), times the error of `ehlwave_domain_choice`.
 """

@@ -8,34 +8,47 @@ from typing import Any
 
 from ehlwave.writing import Writer
 from studies.all_keys.draw import Row
-from studies.calibrate.factors import key, kind_of
+from studies.calibrate.factors import DOMAIN, key, kind_of
 from studies.calibrate.sample import VALUES, solved
 
 DIGITS = 6
 TOLERANCE = 1e-5
 """Relative error of truths and of tolerances, which is no error by the mesh."""
-NOTHING = 1e-8
-"""Friction of pure rolling, by round-off."""
-NUMBERS: dict[str, tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...], str]] = {
-    "central_film": (("central_film",), ("film_error_mesh",), (), "film_error_basis"),
+NOTHING = 1e-5
+"""Friction that is not judged: what heat leaves of it in pure rolling."""
+LARGE = 0.3
+"""Estimates from which on results carry a warning in any case: they are judged apart."""
+NUMBERS: dict[str, tuple[tuple[str, ...], str, str, str]] = {
+    "central_film": (("central_film",), "film_error_mesh", "film_error_domain", "film"),
     "smallest_film": (
-        *(("minimum_film",), ("minimum_film_error",), ("minimum_film_error_domain",)),
-        "film_error_basis",
+        ("minimum_film",),
+        "minimum_film_error",
+        "minimum_film_error_domain",
+        "film",
     ),
-    "friction": (
-        *(("friction_coefficient",), ("friction_error",), ("friction_error_domain",)),
-        "film_error_basis",
+    "friction": (("friction_coefficient",), "friction_error", "friction_error_domain", "film"),
+    "rolling": (
+        ("rolling_resistance",),
+        "rolling_resistance_error",
+        "rolling_resistance_error_domain",
+        "film",
     ),
     "response": (
-        *(("harmonic_real", "harmonic_imaginary"), ("harmonic_error",), ()),
-        "harmonic_error_basis",
+        ("harmonic_real", "harmonic_imaginary"),
+        "harmonic_error",
+        "ratio_error_domain",
+        "harmonic",
     ),
     "amplitude_ratio": (
-        *(("amplitude_ratio_fit",), ("ratio_error_mesh",), ()),
-        "amplitude_error_basis",
+        ("amplitude_ratio_fit",),
+        "ratio_error_mesh",
+        "ratio_error_domain",
+        "amplitude",
     ),
 }
-"""Each quantity: its numbers, declared errors, parts of them by the domain, and the basis."""
+"""Each quantity: its numbers, their declared error by the mesh, by the domain, and the basis."""
+WITH_DOMAIN = ("smallest_film", "friction", "rolling")
+"""Quantities whose declared error includes the part by the domain."""
 
 
 def distilled(contact: Row) -> Row | None:
@@ -50,45 +63,22 @@ def distilled(contact: Row) -> Row | None:
         if fine.get(name) is not None and coarse.get(name) is not None:
             truth[name] = _short(fine[name] + (fine[name] - coarse[name]) / 3)
     before = {name: declared(base, name) for name in NUMBERS}
+    wide = runs.get("wide") or {}
     return {
         "number": contact["number"],
         "row": contact["row"],
         "classes": contact["classes"],
         "truth": truth,
+        "wide": {name: _short(wide[name]) for name in VALUES if wide.get(name) is not None},
         "before": {name: _short(value) for name, value in before.items() if math.isfinite(value)},
-    }
-
-
-def earlier(line: str, number: int) -> Row | None:
-    """Return a contact of the earlier sample in the form of `distilled`."""
-    found = json.loads(line)
-    if "truth" not in found:
-        return None
-    row = {name: value for keys in found["groups"].values() for name, value in keys.items()}
-    is_line = row["radius_ratio_d"] == 0
-    row |= {"cells_x": found["n"], "edges": "truncated", "scheme": "averaged"}
-    row |= {} if is_line else {"cells_y": found["n"]}
-    base, truth = found["base"], found["truth"]
-    errors = ("central_film_error", "minimum_film_error", "friction_error", "harmonic_error")
-    before = {name: base[error] for name, error in zip(NUMBERS, errors, strict=False)}
-    classes = ["line" if is_line else "ellipse"]
-    classes += ["oil"] if row["flow_law"] != "newtonian" else []
-    classes += ["slip"] if row["slip_parameter"] != 1 else []
-    classes += ["starved"] if "oil_over_flooded" in row else []
-    names = ("central_film", "minimum_film", "friction_coefficient", "harmonic_ratio")
-    return {
-        "number": -number,
-        "row": row,
-        "classes": [*classes, "response"],
-        "truth": {name: _short(truth[name]) for name in names if truth[name] is not None},
-        "before": {name: _short(value) for name, value in before.items() if value is not None},
     }
 
 
 def declared(found: Row, quantity: str) -> float:
     """Return the declared error of a number by the mesh."""
-    _, errors, less, _ = NUMBERS[quantity]
-    return _sum(found, errors) - _sum(found, less)
+    _, error, domain, _ = NUMBERS[quantity]
+    less = _value(found, domain) if quantity in WITH_DOMAIN else 0.0
+    return _value(found, error) - less
 
 
 def errors_of(
@@ -100,47 +90,52 @@ def errors_of(
 
 
 def _errors(contact: Row, found: Row, table: dict[str, float]) -> Iterator[Row]:
-    truth = contact["truth"]
-    for quantity, (names, _, _, basis) in NUMBERS.items():
-        if quantity == "response" and "harmonic_real" not in truth:
+    kind = kind_of(found["scheme"], "line" in contact["classes"])
+    for quantity, (names, _, domain, basis) in NUMBERS.items():
+        if quantity == "response" and "harmonic_real" not in contact["truth"]:
             names = ("harmonic_ratio",)
-        value, true = _number(found, names), _number(truth, names)
-        error = declared(found, quantity)
-        if not (math.isfinite(abs(value - true)) and error > 0 and abs(value) > NOTHING):
+        value = _number(found, names)
+        if not abs(value) > (NOTHING if quantity == "friction" else 0):
             continue
-        off = abs(value - true) / abs(value)
-        kind = kind_of(found["scheme"], "line" in contact["classes"])
-        factor = table[key(quantity, kind, found[basis])]
-        yield {
-            "contact": contact["number"],
-            "classes": " ".join(contact["classes"]),
-            "quantity": quantity,
-            "kind": kind,
-            "basis": found[basis],
-            "resolved": found["is_resolved"],
-            "off": off,
-            "declared": error,
-            "ratio": max(0.0, off - TOLERANCE) * factor / error,
-            "before": contact["before"].get(quantity, math.nan),
-        }
+        error, edges = declared(found, quantity), _value(found, domain)
+        by_grids = found.get(f"{basis}_error_basis", "")
+        estimate = error / table.get(key(quantity, kind, by_grids), math.nan)
+        for truth, part, column, name in (
+            ("truth", error, kind, by_grids),
+            ("wide", edges, DOMAIN, DOMAIN),
+        ):
+            off = abs(value - _number(contact.get(truth, {}), names)) / abs(value)
+            if not (math.isfinite(off) and part > 0 and math.isfinite(estimate)):
+                continue
+            yield {
+                "contact": contact["number"],
+                "classes": " ".join(contact["classes"]),
+                "quantity": quantity,
+                "kind": column,
+                "basis": name,
+                "is_large": estimate > LARGE,
+                "resolved": found["is_resolved"],
+                "off": off,
+                "declared": part,
+                "ratio": max(0.0, off - TOLERANCE) * table[key(quantity, column, name)] / part,
+                "before": contact["before"].get(quantity, math.nan) if name != DOMAIN else math.nan,
+            }
 
 
 def write_contacts(path: Path, contacts: Iterable[Row]) -> None:
-    """Write the contacts of a record."""
-    lines = [json.dumps(contact, separators=(",", ":")) for contact in contacts]
+    """Write the contacts of a record, without those that need files."""
+    whole = (one for one in contacts if not any("/" in str(key) for key in one["row"].values()))
+    lines = [json.dumps(contact, separators=(",", ":")) for contact in whole]
     Writer(overwrite=True).text(path, "\n".join(lines) + "\n")
 
 
 def _number(found: Row, names: tuple[str, ...]) -> complex:
-    values = [found.get(name) for name in names]
-    if any(value is None for value in values):
-        return complex(math.nan)
-    return complex(*(float(value) for value in values))
+    return complex(*(_value(found, name) for name in names))
 
 
-def _sum(found: Row, names: tuple[str, ...]) -> float:
-    values: list[Any] = [found.get(name) for name in names]
-    return math.nan if any(value is None for value in values) else float(sum(values))
+def _value(found: Row, name: str) -> float:
+    value: Any = found.get(name)
+    return math.nan if value is None else float(value)
 
 
 def _short(value: float) -> float:
