@@ -18,7 +18,7 @@ module ehlwave_film_errors
 
    real(dp), parameter :: fewest_domains = 2         !! size of the domain whose oil counts for friction, at least
    real(dp), parameter :: warm_edges = 10            !! growth of the error by the edges, over |S - 1| (Hiso/H - 1)
-   real(dp), parameter :: spike_order = 1            !! order of the friction in the mesh size: spikes grow on every grid
+   real(dp), parameter :: spike_order = 1            !! order of the friction in the mesh size: spikes go on growing
    real(dp), parameter :: rolling_by_meniscus = 3    !! error of the resistance to rolling of a starved contact, over hX
    real(dp), parameter :: no_friction = 1e-8_dp      !! friction of pure rolling, by round-off
    real(dp), parameter :: largest_error = 3          !! error of a friction from which on none is given
@@ -44,7 +44,7 @@ contains
       associate (levels => multigrid%levels(n:1:-1), expected => steeper*plan%expected_film_mesh_error() &
                  + light_film_error(result%central_film)*plan%hx**2)
          central = mesh_error(central_film, kind, levels%central_film, expected, order)
-         has_coarse = any(levels(2:)%has_film())
+         has_coarse = central%basis == 'coarse_grid'
          smallest = mesh_error(smallest_film, kind, levels%minimum_film, expected + merge( &
                                between_nodes(levels(1)%problem%grid, levels(1)%state%h), 0.0_dp, has_coarse), order)
          result%central_film_error = central%relative
@@ -120,9 +120,9 @@ contains
       end if
    end subroutine estimate_friction
 
-   !> Part of the expected error of the smallest film: by how much a film of the fitted scheme may be thinner between the
-   !> nodes than at the thinnest node, over the film there. A kink is by half of its second difference along X and Y.
-   !> Grids may agree by chance where each has a node in the kink.
+   !> Part of the expected error of the smallest film: by how much a film of the fitted scheme may be thinner between
+   !> the nodes than at the thinnest node, over the film there. A kink is by half of its second difference along X and
+   !> Y. Grids may agree by chance where each has a node in the kink.
    pure real(dp) function between_nodes(grid, h)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: h(0:, 0:)   !! H, (0:nx, 0:ny)

@@ -25,8 +25,8 @@ QUANTITIES = (
 )
 FEWEST = 100
 """Contacts from which a kind has a factor of its own; the kinds together stand in for fewer."""
-ALIKE = {"amplitude_ratio": ("amplitude_ratio", "response")}
-"""Quantities that stand in for one with few contacts."""
+ALIKE = {"amplitude_ratio": "response"}
+"""Quantities whose factors bound those of one with few contacts."""
 FIXED = ("friction", "rolling")
 """Quantities whose domain error is that of the film times a sensitivity, and the oil outside."""
 HALVES, SEED = 20, 7
@@ -41,13 +41,14 @@ def factors(rows: Sequence[Row], present: dict[str, float]) -> dict[str, float]:
     found = dict(present)
     judged = [row for row in rows if not _apart(row)]
     for quantity in QUANTITIES:
-        alike = [row for row in judged if row["quantity"] in ALIKE.get(quantity, (quantity,))]
         for basis in BASES:
-            every = _bound(ratios(alike, basis=basis))
+            every = _bound(ratios(judged, quantity=quantity, basis=basis))
             for kind in KINDS:
                 some = ratios(judged, quantity=quantity, kind=kind, basis=basis)
                 own = _bound(some)
                 bound = own if some.size >= FEWEST else np.fmax(own, every)
+                if quantity in ALIKE and some.size < FEWEST:
+                    bound = np.fmax(bound, found[key(ALIKE[quantity], kind, basis)])
                 if np.isfinite(bound):
                     found[key(quantity, kind, basis)] = float(bound)
         for kind in KINDS:
