@@ -5,6 +5,7 @@ module ehlwave_starvation_result
    use ehlwave_case_definition, only: case_t
    use ehlwave_effect_result, only: effect_result_t
    use ehlwave_energy, only: energy_t
+   use ehlwave_error_factors, only: by_domain, central_film
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t
@@ -179,7 +180,7 @@ contains
       real(dp), intent(in) :: film_error
       character(len=:), allocatable :: text
       text = ''
-      if (self%short_edge > 0.5_dp*film_error) &
+      if (by_domain(central_film)*self%short_edge > 0.5_dp*film_error) &
          text = 'the gap is full from the inlet edge on: take &grid x_min below '//to_text(plan%x_min, 4)
    end function advice
 
