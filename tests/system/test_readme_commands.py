@@ -17,7 +17,7 @@ from ehlwave_program import namelist, run
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS_OF_BUILDS = ("build", ".git")
-PAGES = [ROOT/"postprocess/examples/cluster.md", *(ROOT/f"postprocess/manual/{name}.md" for name in ("case", "measured_surfaces", "heat", "starved")),
+PAGES = [ROOT/"postprocess/examples/cluster.md", *(ROOT/f"postprocess/manual/{name}.md" for name in ("case", "results", "package", "measured_surfaces", "heat", "starved")),
          *(ROOT/"postprocess/manual/explanation").glob("*.md"), *(ROOT/"inputs").glob("*.md")]
 READMES = sorted(path.relative_to(ROOT).as_posix() for path in {*ROOT.rglob("README.md"), *PAGES}
                  if not {*FOLDERS_OF_BUILDS, "node_modules", ".venv"} & {*path.relative_to(ROOT).parts})

@@ -28,6 +28,11 @@ class Quantity:
     help: str = ""
     """One sentence."""
 
+    @property
+    def chosen(self) -> tuple[str, int | None]:
+        """The first unit, with its power of ten."""
+        return next(iter(self.units.items()), ("", 0))
+
 
 def in_si(text: str, unit: int | None) -> float | str:
     """Return a number in SI to its last digit; other texts unchanged, for the checks to name.

@@ -18,7 +18,7 @@ FILE is a TOML file: element = "...", [dimensions], [conditions], [oil] and, for
 
 {example}
 
-Other elements and their names: the manual, Machine elements.
+Other elements and their names: the page of machine elements in the manual.
 
 With --output DIR it writes report.html (one file, figures inside), report.json, table.csv, and
 cases.csv with sweep.nml for ehlwave-sweep. Places without an answer have a reason.
