@@ -1,4 +1,4 @@
-"""Answers of the package for contacts of all kinds, beside the program on fine grids.
+"""Answers of the laws for contacts of all kinds, beside the program on fine grids.
 
 Computed values are kept apart from the answers, so that changed laws are judged at once.
 """
@@ -108,13 +108,13 @@ COMPUTED = CONTACT | {"real", "imaginary", *(f"{name}_own" for name in QUANTITIE
 
 
 def answered(row: Row) -> Row:
-    """Return the row with the answers of the package and their errors, or its refusals."""
+    """Return the row with the answers of the laws and their errors, or its refusals."""
     keys: dict[str, Any] = {name: row[name] for name in row if name not in COMPUTED}
     asked = Drawn(keys, row["is_hot"], row["wavelength_over_a"], row["angle_deg"]).contact()
     c = asked.conditions
     return row | {
         **{"m": c.m, "l": c.l, "d": c.d, "oil": c.oil.name},
-        **_asked("film", lambda: _film_of(asked.film())),
+        **_asked("film", lambda: _film_of(asked.film(by="laws"))),
         **_asked("response", lambda: _response_of(asked, row)),
     }
 
@@ -130,7 +130,6 @@ def _asked(name: str, answer: Callable[[], Row]) -> Row:
 
 def _film_of(film: ehlwave.Film) -> Row:
     return {
-        "is_computed": "computed" in film.source,
         "central_law": film.central_moes,
         "central_law_error": film.central_error,
         "smallest_law": film.minimum_moes,

@@ -14,7 +14,13 @@ from scipy.optimize import least_squares
 import ehlwave
 from ehlwave.contact import conditions_from_keys
 from ehlwave.errors import EhlwaveError
-from ehlwave.laws.warm_waves import FILM_POWER, warm_error, warm_ratio, warmth_of
+from ehlwave.laws.warm_waves import (
+    FILM_POWER,
+    MOST_NEWTONIAN,
+    warm_error,
+    warm_ratio,
+    warmth_of,
+)
 from ehlwave.writing import Writer
 from studies import heat
 from studies.atlas.waves import pattern
@@ -35,7 +41,7 @@ AMPLITUDE = 0.01
 LARGEST_FILM_ERROR = 0.08
 
 
-NEWTONIAN, NEWTONIAN_COUNT = range(1000, 1400), 40
+NUMBERS, TAKEN = range(1000, 1400), 44
 """Numbers of contacts with Newtonian oils, of which the study takes so many."""
 
 
@@ -53,7 +59,7 @@ def drawn(number: int) -> Row:
         if heat.LOADS[0] <= c.m <= heat.LOADS[1] and heat.OILS[0] <= c.l and film < heat.THICKEST:
             break
     angle = 0.0 if is_line or random.random() < TRANSVERSE_SHARE else random.uniform(0, 80)
-    if number in NEWTONIAN:
+    if number in NUMBERS:
         del row["eyring_stress_pa"]
     return row | {
         "wavelength_over_a": log_uniform(random, *WAVES),
@@ -123,11 +129,11 @@ def computed(path: Path, count: int, at_once: int) -> list[Row]:
 
 def _newtonian() -> list[int]:
     """Return numbers of sliding contacts of Newtonian oils, lines and points in turn."""
-    slide = [number for number in NEWTONIAN if drawn(number)["slip_parameter"] != 1]
+    slide = [number for number in NUMBERS if drawn(number)["slip_parameter"] != 1]
     lines = [number for number in slide if "load_n_per_m" in drawn(number)]
     points = [number for number in slide if number not in lines]
     pairs = zip(lines, points, strict=False)
-    return [number for pair in pairs for number in pair][:NEWTONIAN_COUNT]
+    return [number for pair in pairs for number in pair][:TAKEN]
 
 
 PACKAGE = Path(__file__).resolve().parents[2] / "src/ehlwave/laws/warm_waves.json"
@@ -193,8 +199,8 @@ def fit(rows: Sequence[Row]) -> tuple[dict[str, list[float]], list[Row]]:
 
     The law is fitted to Ree-Eyring oils, and judged by Newtonian oils, too.
     """
-    fitted = [row for row in rows if row["number"] not in NEWTONIAN]
-    others = [row for row in rows if row["number"] in NEWTONIAN]
+    fitted = [row for row in rows if row["number"] not in NUMBERS]
+    others = [row for row in rows if row["number"] in NUMBERS and row["warmth"] <= MOST_NEWTONIAN]
     _, cold, thin, after, warmth = _columns(fitted)
     best = least_squares(
         lambda p: _off(fitted, p, 0.0),
@@ -214,9 +220,8 @@ def fit(rows: Sequence[Row]) -> tuple[dict[str, list[float]], list[Row]]:
     table = [_row("isothermal", _off(fitted, None), before)]
     for name, part in (("warm", fitted), ("warm, Newtonian", others)):
         _, cold, thin, after, warmth = _columns(part)
-        table.append(
-            _row(name, _off(part, best), after + warm_error(np.abs(thin - cold), warmth, error))
-        )
+        bars = after + warm_error(np.abs(thin - cold), warmth, error)
+        table.append(_row(name, _off(part, best), bars))
     found = {"kept": np.abs(best), "error": error}
     return {name: [float(f"{c:.4g}") for c in values] for name, values in found.items()}, table
 
