@@ -107,8 +107,8 @@ def _check_keys(given: Mapping[str, Any]) -> None:
     for key in given:
         if GROUP_OF.get(key) in UNUSED:
             raise ArgumentError(
-                f"{key}: &{GROUP_OF[key]} has no part in friction over slip, which is that of one "
-                "smooth contact in its steady state: remove it"
+                f"{key}: &{GROUP_OF[key]} has no effect here: friction over slip is computed for a "
+                "smooth contact in a steady state. Remove it"
             )
 
 
