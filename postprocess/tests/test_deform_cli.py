@@ -112,14 +112,6 @@ def test_a_large_map_stays_within_memory(tmp_path: Path) -> None:
     assert (tmp_path / "out" / "deformed.h5").stat().st_size > 2 * 4 * size**2
 
 
-def test_example_runs(tmp_path: Path) -> None:
-    script = Path(__file__).parents[1] / "examples" / "deformed_trace.py"
-    command = [sys.executable, str(script), str(tmp_path / "out")]
-    outcome = subprocess.run(command, capture_output=True, text=True, check=True)
-    assert "lambda ratio" in outcome.stdout
-    assert (tmp_path / "out" / "deformed.png").stat().st_size > 10000
-
-
 def test_the_formula_can_be_chosen(tmp_path: Path, capsys: Capture) -> None:
     surface = str(cosine_file(tmp_path))
     ends = ["--form", "none", "--ends", "none", "--json"]

@@ -305,8 +305,8 @@ def _check_names(sheet: Mapping[str, Any]) -> None:
             raise SurfaceError(f"Oil.from_grade: gives {one} and {other}: remove one{see('oil')}")
     if "pressure_viscosity_error" in sheet and "pressure_viscosity_per_pa" not in sheet:
         raise SurfaceError(
-            "Oil.from_grade: pressure_viscosity_error is that of pressure_viscosity_per_pa, which "
-            f"is not given (the estimate of alpha has its own): give both{see('oil')}"
+            "Oil.from_grade: pressure_viscosity_error needs pressure_viscosity_per_pa (an "
+            f"estimated alpha has an error of its own): give both{see('oil')}"
         )
 
 
