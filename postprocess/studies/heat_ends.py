@@ -18,7 +18,7 @@ from ehlwave.contact import conditions_from_keys
 from ehlwave.contact.scales import moes_per_film
 from ehlwave.laws.heat_laws import warmed
 from ehlwave.laws.light_lines import COEFFICIENTS, light_factor
-from ehlwave.laws.rigid_lines import is_rigid, rigid_film
+from ehlwave.laws.rigid_films import is_rigid, rigid_film
 from studies.folds import held_out
 from studies.heated_contacts import (
     DENSITY,

@@ -19,6 +19,7 @@ import chromium
 from app_server import running
 from chromium import Chromium, Tab, until
 from contact import BALL
+from long_tests import IS_LONG
 
 import ehlwave
 from ehlwave.cli import main
@@ -30,9 +31,8 @@ Use = Callable[[Chromium, list[str]], Awaitable[None]]
 Browse = Callable[[Use], list[str]]
 """Use a browser and its proxy; return the list of requests, filled as they come."""
 
-IS_LONG = bool(os.environ.get("EHLWAVE_LONG_TESTS"))
-SESSIONS = 20 if IS_LONG else 3
-EXAMPLES = range(4) if IS_LONG else (1, 2, 3)
+SESSIONS = 20 if IS_LONG else 2
+EXAMPLES = range(4) if IS_LONG else (1,)
 FITTED = 1
 """Example whose page is shown in windows of several widths, too."""
 

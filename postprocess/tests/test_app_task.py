@@ -22,7 +22,7 @@ from ehlwave.app.task import Task, answered
 from ehlwave.app.uploads import LARGEST_BYTES, Upload, file_name, read_upload
 from ehlwave.app.work import SMALL_BYTES, Pools
 from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
-from ehlwave.errors import SurfaceError
+from ehlwave.errors import ResultsError, SurfaceError
 from ehlwave.surface.read import ReadOptions
 
 
@@ -133,6 +133,34 @@ def test_messages_are_those_of_the_command_line_and_name_a_field() -> None:
     assert "<script>" not in failure("<script>alert(1)</script>", [])
 
 
+def test_messages_have_the_units_of_the_page_and_no_python() -> None:
+    fields = [quantities.RADIUS_X, quantities.VISCOSITY, quantities.TEMPERATURE, quantities.LOAD]
+    alpha = next(one for one in quantities.OIL if one.key == "pressure_viscosity_per_pa")
+
+    def said(**keys: float) -> str:
+        with pytest.raises(ResultsError) as caught:
+            ehlwave.Contact(**BALL | keys).film(by="laws")
+        return failure(str(caught.value), [*fields, alpha])
+
+    assert "Viscosity = 1e+06 mPa s: contacts have 0.01 to 20000 mPa s<" in said(viscosity_pa_s=1e3)
+    text = said(pressure_viscosity_per_pa=5e-7)
+    assert "Pressure coefficient = 500 1/GPa gives L" in text
+    assert "(of 10 to 30 1/GPa)" in text
+    assert "holds 10 to 29.9 1/GPa; or compute it with the program ehlwave-case" in text
+    used = plain("A law is used when named: by='two-waves'.")
+    assert used == "A law is used when chosen under Judged by."
+    assert "Radius" not in said(load_n=1e9)
+    assert "contacts have 1e-06 to 1e+08 N<" in said(load_n=1e9)
+    warm = failure(
+        "temperature_k = 60: did you mean 333.15 (60 C)? contacts have 200 to 600 K", fields
+    )
+    assert "= -213.15 C: contacts have -73.15 to 326.85 C<" in warm
+    bodies = [quantities.body("12.7")[0], quantities.Quantity("radius_x_m", "Radius", "", {"m": 0})]
+    assert "= 4 must" in failure("radius_x_m = 4 must be less", bodies)
+    need = plain("need speeds_m_per_s=(u1, u2), or compute it (ehlwave.Case, a harmonic table)")
+    assert need == "need Surface speed, or compute it with the program ehlwave-case"
+
+
 def test_the_answer_has_hertz_one_friction_and_a_variant_beside_it() -> None:
     oil = {"eyring_stress_pa": 5e6, "slide_to_roll_ratio": 0.1}
     first, second = (answered(Task(Given(BALL | oil | {"load_n": n}))) for n in (40, 80))
@@ -155,7 +183,7 @@ def test_the_answer_has_hertz_one_friction_and_a_variant_beside_it() -> None:
         *(dict(tables(each)["Contact"])["Hertz pressure"] for each in (first, second))
     )
     assert pressure == "+26 %"  # 2^(1/3)
-    assert f"<td>{pressure}</td>" in both
+    assert f"<td>{pressure.replace(' ', '&nbsp;')}</td>" in both
     assert decided(first) == "neutral"
 
 

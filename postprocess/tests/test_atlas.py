@@ -331,5 +331,5 @@ def test_the_file_has_units_provenance_and_a_checksum(tmp_path: Path, kind: Kind
         Atlas(replace(stored, attrs={**stored.attrs, "format": "else"}))
     with pytest.raises(ehlwave.ResultsError, match="a former atlas"):
         Atlas(replace(stored, attrs={**stored.attrs, "format": "ehlwave-atlas 2"}))
-    with pytest.raises(ehlwave.ResultsError, match="an atlas of other ranges"):
+    with pytest.raises(ehlwave.ResultsError, match="an atlas with the ranges"):
         Atlas(replace(stored, attrs={**stored.attrs, "ranges": "{}"}))

@@ -1,8 +1,10 @@
 """Public names are documented: examples print their stated output, no parameter is missing."""
 
 import doctest
+import importlib.util
 import inspect
 import os
+import pkgutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -65,6 +67,29 @@ def test_examples_print_what_they_say(
     failed, tried = doctest.DocTestRunner().run(examples, out=said.append)
     assert tried > 0
     assert failed == 0, "".join(said)
+
+
+def inner_modules() -> Iterator[str]:
+    """Yield modules whose docstrings have examples."""
+    for module in pkgutil.walk_packages(ehlwave.__path__, "ehlwave."):
+        spec = importlib.util.find_spec(module.name)
+        if spec is not None and ">>>" in Path(spec.origin or "").read_text(encoding="utf-8"):
+            yield module.name
+
+
+@pytest.mark.parametrize("name", list(inner_modules()))
+def test_examples_of_inner_functions(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Examples of functions that are not public, which the test above does not see."""
+    public = {inspect.getdoc(item) for item in NAMES.values()}
+    monkeypatch.chdir(tmp_path)
+    module = importlib.import_module(name)
+    said: list[str] = []
+    for examples in doctest.DocTestFinder(exclude_empty=True).find(module):
+        if inspect.cleandoc(examples.docstring or "") not in public:
+            doctest.DocTestRunner().run(examples, out=said.append)
+    assert said == []
 
 
 @pytest.mark.parametrize("name", NAMES)

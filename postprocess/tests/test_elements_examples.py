@@ -1,17 +1,14 @@
 """Elements in TOML files: each example answers, by the command, with its reports."""
 
-import doctest
 import json
 import re
 import shutil
-from importlib import import_module
 from pathlib import Path
 
 import pytest
 import xarray as xr
 
 import ehlwave
-from ehlwave import elements
 from ehlwave.cli import main
 from ehlwave.cli.arguments.elements import EXAMPLES
 from ehlwave.elements.columns import TEXTS
@@ -110,17 +107,6 @@ def test_drawings_are_the_same_again() -> None:
     assert drawing_svg("CamFollower") == drawing_svg("CamFollower")
     with pytest.raises(ehlwave.EhlwaveError):
         drawing_svg("Screw")
-
-
-MODULES = sorted(
-    path.stem for path in Path(elements.__file__).parent.glob("*.py") if path.stem != "__init__"
-)
-
-
-@pytest.mark.parametrize("name", MODULES)
-def test_examples_of_docstrings_print_what_they_say(name: str) -> None:
-    module = import_module(f"ehlwave.elements.{name}")
-    assert doctest.testmod(module).failed == 0
 
 
 @pytest.mark.parametrize("name", ["bearing_6208", "gear_module_3", "cam_flat", "mini_traction"])

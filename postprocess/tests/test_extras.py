@@ -13,7 +13,7 @@ from synthetic import make_columns, write_results
 
 import ehlwave
 from ehlwave.cli import command_parser
-from ehlwave.extras import EXTRAS
+from ehlwave.extras import CORE, EXTRAS
 
 SOURCE = Path(ehlwave.__file__).parents[1]
 PROJECT = Path(__file__).parents[1] / "pyproject.toml"
@@ -61,6 +61,18 @@ def test_every_package_is_in_its_extra() -> None:
         assert listed is not None, extra
         assert f'"{package}>=' in listed[1]
         assert f'"{package}>=' not in core[1]
+    assert set(re.findall(r'"([a-z0-9]+)>=', core[1])) == set(CORE)
+
+
+def test_the_source_alone_names_what_to_install(tmp_path: Path) -> None:
+    text = "import sys; sys.path.insert(0, sys.argv[1]); from ehlwave.cli import main; "
+    text += "sys.exit(main(sys.argv[2:]))"
+    command = [sys.executable, "-I", "-S", "-c", text, str(SOURCE), "table", "results.h5"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert done.returncode == 2
+    assert re.fullmatch(
+        r"ehlwave: error: \w+ is missing: .*pip install ./postprocess\n", done.stderr
+    )
 
 
 def test_the_core_answers_without_extras() -> None:

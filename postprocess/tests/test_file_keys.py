@@ -192,9 +192,9 @@ def test_films_of_other_oils_have_no_error_and_a_warning(tmp_path: Path, capsys:
     assert main(["lambda", *words]) == 0
     said = capsys.readouterr().out
     assert "error not known. Mean film" in said
-    assert "Warning      viscosity_law = 'barus': the film is that of a formula for Roe" in said
+    assert "Warning      viscosity_law = 'barus': the film comes from a formula for Roe" in said
     assert main(["lambda", *words, "central_film_m=1e-6"]) == 0
-    assert "the film is that of a formula" not in capsys.readouterr().out
+    assert "the film comes from a formula" not in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("command", [["lambda"], ["stress", "--depths", "0", "20", "60"]])

@@ -1,7 +1,11 @@
 """Gears along the line of action, and cams, as the atlas of line contacts is judged by them."""
 
+from dataclasses import replace
+from itertools import islice
+
 import numpy as np
 import pytest
+from long_tests import IS_LONG
 
 from ehlwave.laws.atlas.kinds import LINE_NEWTONIAN, LINE_SLIDING
 from studies.atlas import cams, gears
@@ -60,5 +64,7 @@ def test_cams_slide_on_flat_followers_and_nearly_roll_on_rollers() -> None:
 def test_gears_and_cams_are_answered() -> None:
     sliding = [draw for draw in DRAWS if draw.kind in (LINE_SLIDING, LINE_NEWTONIAN)]
     assert len(sliding) == 4
+    count = CONTACTS if IS_LONG else 50
     for draw in sliding:
-        assert len(draw.answered(None)[0]) >= 0.98 * CONTACTS
+        some = replace(draw, contacts=lambda every=draw.contacts: islice(every(), count))
+        assert len(some.answered(None)[0]) >= 0.98 * count

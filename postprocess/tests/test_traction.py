@@ -157,7 +157,7 @@ def test_what_has_no_friction_over_slip_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ArgumentError, match="needs oil_conductivity_w_per_m_k"):
         read_keys(empty)
     for key, value in {"load_factor": 1.2, "orientation": "transverse"}.items():
-        with pytest.raises(ArgumentError, match=f"{key}: &.* has no part in friction"):
+        with pytest.raises(ArgumentError, match=f"{key}: &.* has no effect here: friction"):
             traction(keys | {key: value}, [0.1, 0.2])
     with pytest.raises(ehlwave.ProgramError, match="unknown key"):
         traction({"colour": 1}, [0.1, 0.2])

@@ -5,6 +5,7 @@ module ehlwave_bare_plan
    use ehlwave_conditions, only: conditions_t
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_kinds, only: dp
+   use ehlwave_memory, only: many_nodes
    use ehlwave_resolution, only: resolution_t
    use ehlwave_rheology, only: rheology_t
    use ehlwave_surfaces, only: surfaces_t
@@ -120,12 +121,11 @@ contains
       class(bare_plan_t), intent(in) :: self
       real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_multigrid = 335, bytes_wavy = 900, &
          bytes_timing = 64, &                                           ! bytes of a work unit, per timed cell
-         bytes_in_parts = 1500, &     ! bytes of responses whose linear systems are not kept side by side
+         bytes_in_parts = 1080, &     ! bytes of responses whose linear systems are not kept side by side
          bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
          bytes_set = 48, &                                              ! three fields, and their file
          bytes_fitted = 215, &                                          ! fluxes through faces
          bytes_level = 145                                              ! with heat, measured: within a tenth
-      real(dp), parameter :: cells_in_parts = 1e6_dp
       real(dp), parameter :: thread_mib = 1, bytes_thread = 600   ! rows, columns and lines of its own
       real(dp), parameter :: usual_cells = 256*128, smooth_growth = 0.18_dp, response_growth = 0.06_dp
       real(dp) :: bytes, cells, halvings   ! bytes of the mesh of `usual_cells`
@@ -139,7 +139,7 @@ contains
       if (self%is_periodic) bytes = bytes_periodic
       if (self%responds) bytes = max(bytes, bytes_response)
       if (self%is_periodic .or. self%responds) bytes = bytes*(1 + response_growth*halvings**2)
-      if (self%is_by_multigrid .and. self%responds .and. cells > cells_in_parts) bytes = bytes_in_parts
+      if (self%is_by_multigrid .and. self%responds .and. cells > many_nodes) bytes = bytes_in_parts
       if (self%conditions%is_line()) then
          bytes = bytes_line
          cells = self%cells_x

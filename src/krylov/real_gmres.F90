@@ -5,6 +5,7 @@
 module ehlwave_real_gmres
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, sp
+   use ehlwave_memory, only: many_nodes
    implicit none (type, external)
    private
    public :: dot, norm

@@ -10,6 +10,7 @@ module ehlwave_shared_steady
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_harmonic_solver, only: harmonic_solver_t
    use ehlwave_kinds, only: dp
+   use ehlwave_memory, only: many_nodes
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_rescue, only: rescue_t, rung_direct
    use ehlwave_rolling_result, only: rolling_result_t
@@ -33,7 +34,7 @@ module ehlwave_shared_steady
       type(steady_gradient_t) :: gradient            !! gradient of its state, see `differentiate`
       class(harmonic_solver_t), allocatable :: coarse_response   !! about the next coarser state, if `has_coarse`
       logical :: has_coarse = .false.
-      integer :: many_nodes = 1000000                !! above which linear systems are not kept side by side
+      integer :: most_nodes = many_nodes             !! above which linear systems are not kept side by side
       real(dp) :: work = 0                           !! operations that the steady state took
       type(effects_result_t) :: effects              !! effects of the steady state
       real(dp), private :: linear_work = 0   ! work of linear systems kept with it
@@ -185,7 +186,7 @@ contains
    !> Whether the linear systems are too large to be kept side by side.
    pure logical function is_large(self)
       type(shared_steady_t), intent(in) :: self
-      is_large = size(self%multigrid%levels(size(self%multigrid%levels))%state%p) > self%many_nodes
+      is_large = size(self%multigrid%levels(size(self%multigrid%levels))%state%p) > self%most_nodes
    end function is_large
 
    !> Provide the tangent, for steps after a response. On a large grid it replaces the system of the response, which

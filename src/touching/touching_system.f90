@@ -12,9 +12,10 @@ module ehlwave_touching_system
    use ehlwave_load_balance, only: load_factor
    use ehlwave_real_gmres, only: linear_system_t
    use ehlwave_touching_change, only: touching_change_t
-   use ehlwave_touching_equations, only: link_i, link_j, links, touching_equations_t
+   use ehlwave_touching_equations, only: touching_equations_t
    use ehlwave_touching_factors, only: touching_factors_t
    use ehlwave_touching_oil_change, only: touching_oil_change_t
+   use ehlwave_touching_oil_links, only: subtract_links
    use ehlwave_touching_state, only: touching_law_t, touching_state_t
    use ehlwave_touching_unknowns, only: borders, touching_unknowns_t
    use ehlwave_work_unit, only: real_weights
@@ -230,28 +231,18 @@ contains
    subroutine follow_oil(self, u)
       class(touching_system_t), intent(inout) :: self
       real(dp), intent(inout), contiguous :: u(0:, 0:)   !! changes elsewhere, 0 there
-      integer :: k, l, m, n
+      integer :: k
 
       self%q = merge(self%q, 0.0_dp, self%unknowns%is_full .or. self%state%is_touching)
       call self%deformation%apply(self%q, self%dh)
       self%ahead = self%dh
       self%work = 0
       do k = 1, size(self%unknowns%node, 2)
-         associate (i => self%unknowns%node(1, k), j => self%unknowns%node(2, k), equations => self%equations)
+         associate (i => self%unknowns%node(1, k), j => self%unknowns%node(2, k))
             self%work(i, j) = self%dr(i, j)
-            do l = 1, links
-               m = i + link_i(l)
-               n = abs(j + link_j(l))
-               if (self%grid%is_line) n = j
-               if (m < 0) cycle
-               if (self%unknowns%is_free(m, n)) &
-                  self%work(i, j) = self%work(i, j) - equations%by_h(i, j, l)*self%dh(m, n)
-               if (self%unknowns%is_full(m, n)) self%work(i, j) = self%work(i, j) - equations%by_p(i, j, l)*u(m, n)
-            end do
-            if (i > 1 .and. .not. self%unknowns%is_full(i - 1, j)) &
-               self%work(i, j) = self%work(i, j) - equations%by_theta(i, j, 2)*u(i - 1, j)
          end associate
       end do
+      call subtract_links(self%unknowns, self%equations, self%grid%is_line, self%dh, u, self%work)
       call self%factors%oil%solve(self%grid, self%work, is_transposed=.false.)
       do k = 1, size(self%unknowns%node, 2)
          associate (i => self%unknowns%node(1, k), j => self%unknowns%node(2, k))

@@ -9,7 +9,7 @@ module ehlwave_touching_transposed
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_real_gmres, only: gmres_t
-   use ehlwave_touching_equations, only: link_i, link_j, links
+   use ehlwave_touching_oil_links, only: subtract_links_transposed
    use ehlwave_touching_state, only: touching_state_t
    use ehlwave_touching_system, only: touching_system_t
    use ehlwave_work_unit, only: real_weights
@@ -22,13 +22,12 @@ module ehlwave_touching_transposed
       real(dp), allocatable :: edge_by_speed(:)               !! -d P_far/d ln(speed), where the share is given
       real(dp) :: load_by_speed = 0                           !! derivative of the load outside, likewise
       real(dp), allocatable, private :: theta_weight(:, :)
-      logical, private :: is_left = .false.   ! whether the preconditioner follows the product, see `solve`
    contains
       procedure :: set_edges
       procedure :: state_weights
       procedure :: solve
       procedure :: multiply => multiply_transposed
-      procedure :: precondition => precondition_transposed
+      procedure :: precondition => leave
    end type touching_transposed_t
 
 contains
@@ -69,6 +68,8 @@ contains
          end associate
       end do
       call collect(self, [0.0_dp, 0.0_dp], x)
+      call deform_transposed(self)
+      call add_pressure(self, self%q, x)
    end subroutine state_weights
 
    !> Solve A^T x = b, preconditioned from the left: what the product and the preconditioner deform is deformed at once.
@@ -80,14 +81,12 @@ contains
       real(dp), intent(in) :: tolerance                      !! of the preconditioned residual
       real(dp) :: right(size(b))
 
-      self%is_left = .true.
       self%ahead = 0
       call finish(self, b, right)
       call gmres%solve(self, right, x, tolerance)
-      self%is_left = .false.
    end subroutine solve
 
-   !> y = A^T x, or M^(-T) A^T x.
+   !> y = M^(-T) A^T x: the preconditioner from the left.
    subroutine multiply_transposed(self, x, y)
       class(touching_transposed_t), intent(inout) :: self
       real(dp), intent(in), contiguous, target :: x(:)
@@ -127,15 +126,14 @@ contains
                y(n) = y(n) + self%edge_by_speed(k)*r(self%edge(1, k), self%edge(2, k))
             end do
          end if
-         if (.not. self%is_left) return
          self%ahead = self%dh
          product = y
          call finish(self, product, y)
       end associate
    end subroutine multiply_transposed
 
-   !> Add to x the weights of the unknowns for weights dr, theta_weight and dh of P, theta and H, and of the load
-   !> and the share; from the left without the deformation by dh, which `finish` adds.
+   !> Weights x of the unknowns for weights dr, theta_weight and dh of P, theta and H, and of the load and the share,
+   !> without the deformation by dh.
    subroutine collect(self, borders, x)
       class(touching_transposed_t), intent(inout) :: self
       real(dp), intent(in) :: borders(2)
@@ -145,25 +143,21 @@ contains
 
       u(0:self%grid%nx, 0:self%grid%ny) => x(:size(self%q))
       x(self%unknowns%n - 1) = -sum(self%dh)
-      self%q = 0
-      if (.not. self%is_left) call deform_transposed(self, in_single=.false.)
       u = merge(self%dr, merge(self%theta_weight, 0.0_dp, self%state%is_cavitated), self%unknowns%is_full)
       do k = 1, size(self%edge, 2)
          u(self%edge(1, k), self%edge(2, k)) = self%dr(self%edge(1, k), self%edge(2, k))
       end do
-      call add_pressure(self, self%q, x)
       call add_borders(self, borders, x)
    end subroutine collect
 
    !> q = K^T dh: the kernel is symmetric, the rows of a half domain count for two.
-   subroutine deform_transposed(self, in_single)
+   subroutine deform_transposed(self)
       class(touching_transposed_t), intent(inout) :: self
-      logical, intent(in) :: in_single
       integer :: j
       do j = 0, self%grid%ny
          self%dh(:, j) = self%dh(:, j)/self%grid%weight(j)
       end do
-      call self%deformation%deform(self%dh, self%q, in_single)
+      call self%deformation%deform(self%dh, self%q, .false.)
       do j = 0, self%grid%ny
          self%q(:, j) = self%grid%weight(j)*self%q(:, j)
       end do
@@ -212,20 +206,15 @@ contains
       end do
    end subroutine add_borders
 
-   !> y = M^(-T) x, with the identity at flooded edges; y = x where the product has it.
-   subroutine precondition_transposed(self, x, y)
+   !> y = x: the product has the preconditioner.
+   subroutine leave(self, x, y)
       class(touching_transposed_t), intent(inout) :: self
       real(dp), intent(in), contiguous, target :: x(:)
       real(dp), intent(out), contiguous, target :: y(:)
-      if (self%is_left) then
-         y = x
-      else
-         self%ahead = 0
-         call finish(self, x, y)
-      end if
-   end subroutine precondition_transposed
+      y = x
+   end subroutine leave
 
-   !> y = M^(-T) x, where x lacks the weights of P + C by the deformation under `ahead`.
+   !> y = M^(-T) x, with the identity at flooded edges; x lacks the weights of P + C by the deformation under `ahead`.
    subroutine finish(self, x, y)
       class(touching_transposed_t), intent(inout) :: self
       real(dp), intent(in), contiguous, target :: x(:)
@@ -267,15 +256,23 @@ contains
       u(0:self%grid%nx, 0:self%grid%ny) => x(:nodes)
       r(0:self%grid%nx, 0:self%grid%ny) => y(:nodes)
       self%dr = 0
-      self%q = 0
       self%theta_weight = 0
       self%dh = 0
-      if (size(self%unknowns%node, 2) > 0) call lead_oil(self, u)
+      if (size(self%unknowns%node, 2) > 0) then   ! transposed `follow_oil`
+         self%work = merge(u, 0.0_dp, self%state%is_touching)
+         call self%factors%oil%solve(self%grid, self%work, is_transposed=.true.)
+         do k = 1, size(self%unknowns%node, 2)
+            associate (i => self%unknowns%node(1, k), j => self%unknowns%node(2, k))
+               self%dr(i, j) = self%work(i, j)
+            end associate
+         end do
+         call subtract_links_transposed(self%unknowns, self%equations, self%grid%is_line, self%work, self%dh, &
+                                        self%theta_weight)
+         where (self%state%is_touching) self%theta_weight = 0
+      end if
       self%dh = self%dh + self%ahead
-      if (self%is_left .or. size(self%unknowns%node, 2) > 0) &
-         call deform_transposed(self, in_single=.not. self%is_left)
-      at_edge = 0
-      if (self%is_left) at_edge = [(self%q(self%edge(1, k), self%edge(2, k)), k=1, size(self%edge, 2))]
+      call deform_transposed(self)
+      at_edge = [(self%q(self%edge(1, k), self%edge(2, k)), k=1, size(self%edge, 2))]
       self%q = merge(self%q, 0.0_dp, self%unknowns%is_full .or. self%state%is_touching)
       self%q = self%q + self%theta_weight
       where (.not. self%state%is_touching) self%q = self%q + u
@@ -297,34 +294,5 @@ contains
       where (self%unknowns%weight > 0) r = (self%dr + self%work)/self%unknowns%weight
       y(self%unknowns%n - 1:) = 0
    end subroutine invert_transposed
-
-   !> Transposed `follow_oil`: for weights of the oil where solids bear, weights dr of its residuals there, theta_weight
-   !> of the changes elsewhere, and dh of H.
-   subroutine lead_oil(self, u)
-      class(touching_transposed_t), intent(inout) :: self
-      real(dp), intent(in), contiguous :: u(0:, 0:)
-      integer :: k, l, m, n
-
-      self%work = merge(u, 0.0_dp, self%state%is_touching)
-      call self%factors%oil%solve(self%grid, self%work, is_transposed=.true.)
-      self%dh = 0
-      do k = 1, size(self%unknowns%node, 2)
-         associate (i => self%unknowns%node(1, k), j => self%unknowns%node(2, k), equations => self%equations, &
-                    others => self%theta_weight)
-            self%dr(i, j) = self%work(i, j)
-            do l = 1, links
-               m = i + link_i(l)
-               n = abs(j + link_j(l))
-               if (self%grid%is_line) n = j
-               if (m < 0) cycle
-               if (self%unknowns%is_free(m, n)) self%dh(m, n) = self%dh(m, n) - equations%by_h(i, j, l)*self%work(i, j)
-               if (self%unknowns%is_full(m, n)) others(m, n) = others(m, n) - equations%by_p(i, j, l)*self%work(i, j)
-            end do
-            if (i > 1 .and. .not. self%unknowns%is_full(i - 1, j)) &
-               others(i - 1, j) = others(i - 1, j) - equations%by_theta(i, j, 2)*self%work(i, j)
-         end associate
-      end do
-      where (self%state%is_touching) self%theta_weight = 0
-   end subroutine lead_oil
 
 end module ehlwave_touching_transposed

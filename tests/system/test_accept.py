@@ -30,12 +30,20 @@ class Accept(TestCase):
         if written.returncode != 0:
             raise AssertionError(written.stdout + written.stderr)
 
-    def check_refused(self, column, factor):
-        """A build must not be accepted by changed shipped values."""
+    def test_this_build(self):
+        self.check_status(self.outcome)
+        self.assertIn("21 of 21 cases accepted", self.outcome.stdout)
+
+    def test_numbers_that_are_off(self):
+        """A film, an amplitude, and more work than before, each in a case of its own."""
+        changes = {"smooth": ("central_film", 1 + 2e-6), "transverse": ("amplitude_ratio_fit", 1 + 2e-5),
+                   "longitudinal": ("linear_steps", 0.9)}
         with self.own.open(newline="") as file:
             rows = list(csv.DictReader(file))
-        (row,) = [row for row in rows if row["case"] == "transverse"]
-        row[column] = float(row[column])*factor if "steps" not in column else round(float(row[column])*factor)
+        for row in rows:
+            if row["case"] in changes:
+                column, factor = changes[row["case"]]
+                row[column] = float(row[column])*factor if "steps" not in column else round(float(row[column])*factor)
         changed = self.folder/"changed.csv"
         with changed.open("w", newline="") as file:
             writer = csv.DictWriter(file, rows[0])
@@ -43,22 +51,12 @@ class Accept(TestCase):
             writer.writerows(rows)
         outcome = accept(os.environ["EHLWAVE_CASE"], "--values", changed)
         self.check_status(outcome, 1)
-        self.assertIn("20 of 21 cases accepted", outcome.stdout)
-        (line,) = [line for line in outcome.stdout.split("\n") if "FAILED" in line]
-        self.assertIn(column, line)
-
-    def test_this_build(self):
-        self.check_status(self.outcome)
-        self.assertIn("21 of 21 cases accepted", self.outcome.stdout)
-
-    def test_a_film_that_is_off(self):
-        self.check_refused("central_film", 1 + 2e-6)
-
-    def test_an_amplitude_that_is_off(self):
-        self.check_refused("amplitude_ratio_fit", 1 + 2e-5)
-
-    def test_more_work_than_before(self):
-        self.check_refused("linear_steps", 0.9)
+        self.assertIn("18 of 21 cases accepted", outcome.stdout)
+        failed = [line for line in outcome.stdout.split("\n") if "FAILED" in line]
+        self.assertEqual(len(failed), 3)
+        for line, (case, (column, _)) in zip(failed, changes.items(), strict=True):
+            self.assertTrue(line.startswith(case), line)
+            self.assertIn(column, line)
 
     def test_values_that_are_not_there(self):
         self.assertEqual(accept("--values", self.folder/"none.csv").returncode, 2)

@@ -11,13 +11,15 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 from pathlib import Path
+from unittest import mock
 
 from ehlwave_program import namelist, run
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS_OF_BUILDS = ("build", ".git")
-PAGES = [ROOT/"postprocess/examples/cluster.md", *(ROOT/f"postprocess/manual/{name}.md" for name in ("case", "measured_surfaces", "heat", "starved")),
+PAGES = [ROOT/"postprocess/examples/cluster.md", *(ROOT/f"postprocess/manual/{name}.md" for name in ("case", "results", "package", "measured_surfaces", "heat", "starved")),
          *(ROOT/"postprocess/manual/explanation").glob("*.md"), *(ROOT/"inputs").glob("*.md")]
 READMES = sorted(path.relative_to(ROOT).as_posix() for path in {*ROOT.rglob("README.md"), *PAGES}
                  if not {*FOLDERS_OF_BUILDS, "node_modules", ".venv"} & {*path.relative_to(ROOT).parts})
@@ -166,7 +168,7 @@ class Commands(unittest.TestCase):
         self.assertEqual([command for command in [*NOT_RUN, *SHORTENED] if command not in shown], [])
 
     def test_commands_run(self):
-        for line in dict.fromkeys(line for _, line in lines("command")):
+        for line in {" ".join(line.split()): line for _, line in lines("command")}.values():
             if line in NOT_RUN:
                 continue
             with self.subTest(line=line):
@@ -178,14 +180,20 @@ class Commands(unittest.TestCase):
     def command(self, line):
         """Run `ehlwave` in this process: loading its libraries takes longer than most commands."""
         from ehlwave.cli import main
+        with self.as_reader() as said:
+            status = main(shlex.split(line)[1:])
+        self.assertEqual(status, 0, said.getvalue())
+
+    @contextlib.contextmanager
+    def as_reader(self):
+        """Be in the folder of the reader for a while, output kept: a process of its own would load all libraries again."""
         said, here = io.StringIO(), Path.cwd()
         os.chdir(self.folder)
         try:
-            with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
-                status = main(shlex.split(line)[1:])
+            with mock.patch.dict(os.environ, self.environment), contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+                yield said
         finally:
             os.chdir(here)
-        self.assertEqual(status, 0, said.getvalue())
 
     def test_sweeps_that_take_long_are_planned(self):
         for name in ("paper_quick", "paper_harmonic"):
@@ -208,11 +216,11 @@ class Commands(unittest.TestCase):
         for readme in READMES:
             text = "\n".join(line for block in indented(readme) for line in block if kind(line) == "python")
             if text:
-                text = "import ehlwave\n" + text
-                with self.subTest(readme=readme):
-                    (self.folder/"shown.py").write_text(text + "\n")
-                    self.shell('"$PYTHON" -W error::UserWarning -W "ignore:large errors" -W "ignore:the inlet would warm" '
-                               '-W ignore::DeprecationWarning shown.py')
+                with self.subTest(readme=readme), self.as_reader(), warnings.catch_warnings():
+                    warnings.simplefilter("error", UserWarning)
+                    for ignored in ("large errors", "the inlet would warm"):
+                        warnings.filterwarnings("ignore", ignored)
+                    exec(compile("import ehlwave\n" + text, readme, "exec"), {"__name__": "__main__"})   # as the reader types it
 
     def test_scripts_and_links_that_are_named_are_there(self):
         for readme in READMES:

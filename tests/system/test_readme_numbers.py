@@ -237,31 +237,45 @@ def rolling():
               most[1]])]
 
 
-def atlas():
-    """Return the statements of the files of the atlas about themselves."""
+ATLASES = ("rolling", "rolling_wide", "sliding", "sliding_wide", "line", "line_sliding", "line_newtonian")
+
+
+def of_atlas(kind, *names):
+    """Attributes of a file of the atlas; None without xarray."""
     try:
         import xarray
     except ImportError:
-        return []
-    claims, rises = [], {}
-    kinds = ("rolling", "rolling_wide", "sliding", "sliding_wide", "line", "line_sliding", "line_newtonian")
-    for kind in kinds:
-        path = ROOT/f"postprocess/src/ehlwave/laws/atlas/{kind}.nc"
-        with xarray.open_dataset(path) as data:
-            of_file = [float(data.attrs["responses"]), float(data.attrs["contacts"])]
-            rises[kind] = json.loads(data.attrs["rise_cross_validated"])
-        claims.append((f"| `{kind}.nc` | {{}} KB | {{}} responses of {{}} contacts", [path.stat().st_size/1000, *of_file]))
-    all_kinds = [rises[kind] for kind in kinds]
-    claims.append(("has a median error of {} in contacts that roll (wide: {}), {} under slip (wide: {}), {} in line contacts and {} in those that slide "
-                   "(Newtonian: {}), in units of (A/film)^2 of the film, and {} (wide: {}), {} (wide: {}), {} and {} ({}) at 95 % of the waves",
-                   [one["median"] for one in all_kinds] + [one["95 %"] for one in all_kinds]))
+        return None
+    with xarray.open_dataset(ROOT/f"postprocess/src/ehlwave/laws/atlas/{kind}.nc") as data:
+        return [data.attrs[name] for name in names]
+
+
+def atlas_files():
+    """Sizes and points of the files of the atlas."""
+    claims = []
+    for kind in ATLASES:
+        points = of_atlas(kind, "responses", "contacts")
+        if points is not None:
+            size = (ROOT/f"postprocess/src/ehlwave/laws/atlas/{kind}.nc").stat().st_size
+            claims.append((f"| `{kind}.nc` | {{}} KB | {{}} responses of {{}} contacts", [size/1000, *map(float, points)]))
+    return claims
+
+
+def atlas():
+    """Errors that the files of the atlas state about themselves, and errors of lines."""
+    found = [of_atlas(kind, "rise_cross_validated") for kind in ATLASES]
+    rises = [json.loads(one[0]) for one in found if one is not None]
+    claims = [] if not rises else [
+        ("has a median error of {} in contacts that roll (wide: {}), {} under slip (wide: {}), {} in line contacts and {} in those that slide "
+         "(Newtonian: {}), in units of (A/film)^2 of the film, and {} (wide: {}), {} (wide: {}), {} and {} ({}) at 95 % of the waves",
+         [one["median"] for one in rises] + [one["95 %"] for one in rises])]
     slip = [float(one) for one in re.findall(r'"(?:Ree-Eyring|Newtonian|Carreau)": ([\d.]+)',
                                              (ROOT/"postprocess/src/ehlwave/contact/two_waves.py").read_text())]
-    return [*claims, *judged(), ("have the law alone, within {}, {} and {} of Ai", [slip[1], slip[2], slip[0]])]
+    return [*claims, *lines_of_atlas(), ("have the law alone, within {}, {} and {} of Ai", [slip[1], slip[2], slip[0]])]
 
 
-def judged():
-    """Line contacts of the atlas beside computed contacts, and contacts of machines."""
+def lines_of_atlas():
+    """Line contacts of the atlas beside computed contacts."""
     claims = []
     for of, name in (("line", "line"), ("line_sliding", "line, sliding"), ("line_newtonian", "line, sliding, Newtonian")):
         for what, row in (("film response, units of Ai", name), ("film response, M > 100", f"{name}, M > 100"),
@@ -270,6 +284,12 @@ def judged():
                 columns = ("conditions", "within the bar [%]", "median", "median bar", "95 %", "largest")
                 claims.append((f"| {row} | {{}} | {{}} % | {{}} | {{}} | {{}} | {{}} |",
                                [cell("atlas/lines.csv", column, of=of, what=what) for column in columns]))
+    return claims
+
+
+def atlas_elements():
+    """Contacts of machines that the atlas answers."""
+    claims = []
     for of in ("rollers", *(f"{machine} in a {law} oil" for machine in ("gears", "cams") for law in ("Ree-Eyring", "Newtonian"))):
         where = {"of": of.replace("rollers", "bearing rollers"), "what": "film response, units of Ai"}
         answered = cell("atlas/machines.csv", "answered", **where)
@@ -331,6 +351,8 @@ def speeds():
     steady, step, ratio = "steady state, 257 x 257", "one time step, 257 x 257", "steady state, 1025 x 1025 over 257 x 257"
     memory = "memory, 1025 x 1025"
     return [
+        ("a steady state takes {} counted work units, a linear response {} more, a march of waves {}.",
+         [get(steady, "newton"), get("linear response, 257 x 257", "newton"), small_waves("march", cells="256")[0]]),
         ("| steady state, 257 x 257 | {} | {} |", [get(steady, "newton"), get(steady, "fas")]),
         ("| one time step, transverse waves of 0.5 a, 257 x 257 | {} | {}, V cycles |", [get(step, "newton"), get(step, "fas")]),
         ("| linear response to them | {} | |", [get("linear response, 257 x 257", "newton")]),
@@ -344,25 +366,23 @@ def speeds():
     ]
 
 
-def errors_and_costs():
-    """The table of errors, the accuracy of models of errors and costs, and the error estimates of results."""
+def model(name, column):
+    """A number of the models of errors and costs that plans use."""
+    return cell("error-vs-time/models.csv", column, model=name)
+
+
+def grid_errors():
+    """The table of errors by the grid, and their models."""
     def error(cells, quantity, m, d, wave="0"):
         return 100*cell("error-vs-time/estimates.csv", "error", m=m, d=d, wavelength=wave, quantity=quantity, cells=cells, slip="1",
                         orientation="transverse" if wave != "0" else "none", lubricant_l="12.05")
-
-    def estimates(quantity):
-        rows = [row for row in table("error-vs-time/estimates.csv")
-                if row["quantity"] == quantity and row["status"] == "converged" and float(row["error"]) > 1e-3]
-        found = [float(row["estimate_over_error"]) for row in rows if row["estimate_over_error"] != "nan"]
-        return [min(found), max(found)]
 
     contacts = (("100", "1"), ("100", "0.12"), ("1000", "1"), ("1000", "0.12"))
     film = {n: [error(n, "central_film", *contact) for contact in contacts] for n in ("64", "128", "256", "512")}
     ratio = {n: [[error(n, "amplitude_ratio_fit", *contact, wave) for wave in ("0.5", "2")] for contact in contacts]
              for n in ("64", "128", "256")}
-    model = lambda name, column: cell("error-vs-time/models.csv", column, model=name)  # noqa: E731
-    cost = [[model(name, f"coefficient_{i}") for i in (1, 2, 3)] for name in ("steady_cost", "step_cost")]
     return [
+        ("the central film is {} % off on 128 x 128 cells, {} % on 256 x 256", [film["128"][0], film["256"][0]]),
         ("central film, 64 x 64 | {} % | {} % | not resolved | {} % | | 128 x 128 | {} % | {} % | not resolved | {} %",
          [film[n][i] for n in ("64", "128") for i in (0, 1, 3)]),
         ("| 256 x 256 | {} % | {} % | {} % | {} % | | 512 x 512 | {} % | {} % | {} % | {} % |", film["256"] + film["512"]),
@@ -372,11 +392,30 @@ def errors_and_costs():
          [*ratio["128"][0], ratio["128"][1][1], *ratio["128"][3]]),
         ("| 256 x 256 | {} / {} % | below 0.1 / below 0.1 % | {} / {} % | {} / {} % |",
          [*ratio["256"][0], *ratio["256"][2], *ratio["256"][3]]),
+        ("the error is about {} hX^2 gamma M of H(0,0) and {} hX^2", [model("film", "coefficient_1"), model("moving_ratio", "coefficient_1")]),
+    ]
+
+
+def estimates():
+    """Accuracy of the models of errors, and of the error estimates of results."""
+    def range_of(quantity):
+        rows = [row for row in table("error-vs-time/estimates.csv")
+                if row["quantity"] == quantity and row["status"] == "converged" and float(row["error"]) > 1e-3]
+        found = [float(row["estimate_over_error"]) for row in rows if row["estimate_over_error"] != "nan"]
+        return [min(found), max(found)]
+
+    return [
         ("were within a factor {} in half of the runs, {} in the worst",
          [model("moving_ratio", "typical_factor"), model("moving_ratio", "largest_factor")]),
         ("Where errors are above 0.1 % these were {} to {} times the error of H(0,0), {} to {} times that of the smallest H and "
-         "{} to {} times that of Ad/Ai", [*estimates("central_film"), *estimates("minimum_film"), *estimates("amplitude_ratio_fit")]),
-        ("the error is about {} hX^2 gamma M of H(0,0) and {} hX^2", [model("film", "coefficient_1"), model("moving_ratio", "coefficient_1")]),
+         "{} to {} times that of Ad/Ai", [*range_of("central_film"), *range_of("minimum_film"), *range_of("amplitude_ratio_fit")]),
+    ]
+
+
+def costs():
+    """Models of the counted work of steady states and time steps."""
+    cost = [[model(name, f"coefficient_{i}") for i in (1, 2, 3)] for name in ("steady_cost", "step_cost")]
+    return [
         ("takes {} (cells/128)^{} (gamma M/100)^{} of them (within a factor {} in {} contacts and grids)",
          [*cost[0], model("steady_cost", "largest_factor"), model("steady_cost", "points")]),
         ("a time step {} (cells/128)^{} (within {} in {} runs)",
@@ -425,7 +464,8 @@ def peers():
 
 MANUAL = "postprocess/manual/explanation"
 CLAIMS = {"README.md": top_level, "postprocess/manual/case.md": one_contact, "postprocess/manual/measured_surfaces.md": postprocess, "postprocess/record/README.md": record,
-          f"{MANUAL}/accuracy.md": lambda: [*speeds(), *errors_and_costs()], f"{MANUAL}/atlas.md": atlas,
+          f"{MANUAL}/accuracy.md": grid_errors, f"{MANUAL}/estimates.md": estimates, f"{MANUAL}/work.md": lambda: [*speeds(), *costs()],
+          f"{MANUAL}/atlas.md": atlas, f"{MANUAL}/atlas_making.md": atlas_files, f"{MANUAL}/atlas_elements.md": atlas_elements,
           f"{MANUAL}/roughness.md": roughness, f"{MANUAL}/paper.md": lambda: [*study(), *validation(), *better_formula(), *rolling()],
           f"{MANUAL}/slip.md": two_waves, f"{MANUAL}/fitted_scheme.md": heavy_loads,
           f"{MANUAL}/other_programs.md": peers}

@@ -7,11 +7,11 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import MPI_ENVIRONMENT, TestCase, mpi_command, namelist, report, run
+from ehlwave_program import IS_LONG, MPI_ENVIRONMENT, TestCase, mpi_command, namelist, report, run
 from growth import LARGEST_GROWTH_KIB, growth, samples_of
 from hdf5_reading import read
 
-CASES = int(os.environ.get("EHLWAVE_MANY_CASES", "5000"))
+CASES = int(os.environ.get("EHLWAVE_MANY_CASES", "5000" if IS_LONG else "2000"))
 LARGEST_CASE = 2048   # bytes in store and results file, without fields
 
 

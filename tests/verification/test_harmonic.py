@@ -4,7 +4,7 @@ import math
 import unittest
 
 from compare_linear_response import CHOSEN, respond_linearly
-from ehlwave_program import TestCase, report, solve
+from ehlwave_program import IS_LONG, TestCase, report, solve
 from reference_values import case_name, rows
 
 REFERENCE = 1e-3   # measured: 4.2e-4 with M = 100, D = 1 on 65 nodes, 2e-4 elsewhere
@@ -32,7 +32,7 @@ class Harmonic(TestCase):
                  or (row["points"] == 257 and row["radius_ratio_d"] == 0.35 and row["wavelength_over_a"] == 0.7)]
         self.assertEqual(len(table), 73)
         worst = (0, "")
-        for row in table:
+        for row in table if IS_LONG else table[::2]:
             with self.subTest(row=case_name(row)):
                 ratio = respond_linearly(row)["harmonic_ratio"]
                 worst = max(worst, (self.check_close(ratio, row["amplitude_ratio"], REFERENCE, "Ad/Ai"), case_name(row)))

@@ -11,7 +11,7 @@ class LinearResponse(TestCase):
     def test_chosen_rows(self):
         table = chosen_rows()
         self.assertEqual(len(table), sum(map(len, CHOSEN.values())))
-        if not IS_LONG:   # test_harmonic compares all rows with the linear response, and marches with that
+        if not IS_LONG:   # test_harmonic compares rows with the linear response, and marches with that
             table = [row for row in table if row["points"] == 65]
         worst = (0, "")
         for row in table:

@@ -63,7 +63,7 @@ contains
    !> Linear systems that are not kept side by side: the same numbers and counts.
    subroutine check_room()
       type(shared_steady_t) :: shared
-      shared%many_nodes = 0
+      shared%most_nodes = 0
       call run(enough, long, 'newton', first, shared)
       call run(enough, longer, 'newton', second, shared)
       call run(enough, long, 'newton', alone)

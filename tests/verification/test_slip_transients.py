@@ -7,7 +7,7 @@ import cmath
 import math
 import unittest
 
-from ehlwave_program import TestCase, report, solve
+from ehlwave_program import IS_LONG, TestCase, report, solve
 
 OBLIQUE = {"orientation": "custom", "wavelength_x_over_a": 1, "wavelength_y_over_a": 1.5, "oblique": True}
 EYRING = {"flow_law": "eyring", "eyring_stress_pa": 5e6}
@@ -53,7 +53,7 @@ class SlipTransients(TestCase):
     def test_order_in_time(self):
         """dT = 8, 4, 2 hX along the characteristic at fixed mesh size, against the linear response for dT = hX: complex, because
         the error can be a phase error (S = 1.2: the amplitude alone would change by 5e-3, then 3e-4, of Ai)."""
-        for slip in (0.5, 1.2):
+        for slip in (0.5, 1.2) if IS_LONG else (1.2,):
             groups = {"m": 20, "d": 1, "grid": {"cells_x": 128, "cells_y": 32}, "conditions": sliding(slip), "lubricant": EYRING}
             waves = {"orientation": "transverse", "wavelength_over_a": 3, "amplitude_over_film": 0.01}
             limit = response(solve(**groups, waviness={**waves, "response": "harmonic"}, solver={"tolerance": 1e-9}))

@@ -77,6 +77,7 @@ class Stress(FolderTest):
             self.assertLessEqual(abs(expected.dang_van/found - 1), 0.1)
             self.assertLessEqual(abs(expected.dang_van - found), expected.dang_van_error)
 
+    @unittest.skipUnless(IS_LONG, "EHLWAVE_LONG_TESTS is not set")
     def test_rolling(self):
         self.compare(1.0)
 

@@ -20,14 +20,17 @@ EXTRAS = {
 }
 """Extra of each package, by the name that is imported."""
 
+CORE = ("numpy", "scipy", "h5py", "xarray", "h5netcdf", "pandas", "tomli")
+"""Packages that are always needed. They are missing where the source is used without pip."""
 
-def install(extra: str) -> str:
-    """Return the command that installs an extra, from the folder of the repository.
+
+def install(extra: str = "") -> str:
+    """Return the command that installs the package, with an extra, from the repository's folder.
 
     Where the system manages the packages of this Python (PEP 668), a virtual environment comes
     first.
     """
-    command = f"pip install './postprocess[{extra}]'"
+    command = f"pip install './postprocess[{extra}]'" if extra else "pip install ./postprocess"
     if is_externally_managed():
         return f"python3 -m venv venv && . venv/bin/activate && {command}"
     return command
@@ -41,11 +44,11 @@ def is_externally_managed() -> bool:
 
 
 def advice(error: ModuleNotFoundError) -> str | None:
-    """Return the command that installs a missing package; nothing if it is of no extra."""
+    """Return the command that installs a missing package; nothing if it is not ours."""
     package = (error.name or "").split(".")[0]
-    if package not in EXTRAS:
+    if package not in (*EXTRAS, *CORE):
         return None
-    return f"{package} is missing: {install(EXTRAS[package])}"
+    return f"{package} is missing: {install(EXTRAS.get(package, ''))}"
 
 
 def load(module: str) -> ModuleType:

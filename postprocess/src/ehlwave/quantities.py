@@ -93,7 +93,7 @@ PLAUSIBLE = {
     "body2_heat_capacity_j_per_kg_k": _BODY_CAPACITY,
 }
 
-_ZERO_CELSIUS_K = 273.15
+ZERO_CELSIUS_K = 273.15
 
 
 def unit_of(name: str) -> str:
@@ -182,8 +182,8 @@ def question(value: float, name: str, start: str = "") -> None:
 
 def _meant(value: float, name: str, known: Plausible) -> str:
     low, high = known.usual
-    if name == "temperature_k" and low <= value + _ZERO_CELSIUS_K <= high:
-        return f"did you mean {value + _ZERO_CELSIUS_K:g} ({value:g} C)? "
+    if name == "temperature_k" and low <= value + ZERO_CELSIUS_K <= high:
+        return f"did you mean {value + ZERO_CELSIUS_K:g} ({value:g} C)? "
     for factor in known.factors:
         if low <= abs(value) * factor <= high:
             return f"did you mean {_written(value, factor)}? "

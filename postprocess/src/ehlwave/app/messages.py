@@ -6,6 +6,7 @@ from html import escape
 from typing import Any
 
 from ehlwave.app.element_quantities import TABS
+from ehlwave.app.message_units import in_units
 from ehlwave.app.quantities import every_quantity
 from ehlwave.shown import split_words
 
@@ -51,6 +52,10 @@ PLAIN = (
     (r"give heat data \(heat=\)", "choose 'with heat' under Film and friction"),
     (r"\s*\(manual: [^)]*\)", ""),
     (r"^ehlwave-(?:case|sweep): ", ""),
+    (r"compute it: ehlwave-case, ehlwave\.Case", "compute it with the program ehlwave-case"),
+    (r"compute it \(ehlwave\.Case[^)]*\)", "compute it with the program ehlwave-case"),
+    (r"\b(\w+)=\(\w+, \w+\)", r"\1"),
+    (r"used when named: by='[\w-]+'", "used when chosen under Judged by"),
     (r"\s*\(\w+=\)", ""),
     (r"^(?:Contact|Body|Oil|Heat)(?:\.\w+)?: ", ""),
     (r"\b(?:ehlwave\.)?(?:Contact|Body|Oil|Heat)\.(\w+)(?:\(\))?", r"\1"),
@@ -89,8 +94,9 @@ def plain(message: str, labels: Mapping[str, str] | None = None) -> str:
 
 def failure(message: str, shown: Iterable[Any]) -> str:
     """Return an error in the labels of the page, and the field that it names."""
-    labels = {one.key: one.label for one in shown}
+    fields = list(shown)
+    labels = {one.key: one.label for one in fields}
     named = next((labels[word] for word in re.findall(r"\w+", message) if word in labels), "")
     where = f"<p>Field: {escape(named)}</p>" if named else ""
-    text = plain(message, labels)
+    text = plain(in_units(message, fields), labels)
     return f"<div class='error' role='alert'><b>Error</b> {escape(text)}{where}</div>"

@@ -5,10 +5,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 
+from ehlwave.quantities import ZERO_CELSIUS_K
+
 Units = Mapping[str, int | None]
 """Powers of ten to SI by the names of units; None: degrees Celsius."""
 
-ZERO_CELSIUS = Decimal("273.15")
+ZERO_CELSIUS = Decimal(str(ZERO_CELSIUS_K))
 LENGTHS: Units = {"mm": -3, "um": -6, "m": 0}
 PRESSURES: Units = {"GPa": 9, "MPa": 6, "Pa": 0}
 
@@ -27,6 +29,11 @@ class Quantity:
     """Units that it can be typed in; nothing of a number without unit."""
     help: str = ""
     """One sentence."""
+
+    @property
+    def chosen(self) -> tuple[str, int | None]:
+        """The first unit, with its power of ten."""
+        return next(iter(self.units.items()), ("", 0))
 
 
 def in_si(text: str, unit: int | None) -> float | str:

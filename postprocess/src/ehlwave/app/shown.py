@@ -115,14 +115,19 @@ def compared(first: Answer, second: Answer) -> str:
     for title in dict.fromkeys([*left, *right]):
         a, b = dict(left.get(title, [])), dict(right.get(title, []))
         lines = "".join(
-            f"<tr><th scope='row'>{escape(name)}</th><td>{escape(a.get(name, '-'))}</td>"
-            f"<td>{escape(b.get(name, '-'))}</td>"
-            f"<td>{change(a.get(name, ''), b.get(name, ''))}</td></tr>"
+            f"<tr><th scope='row'>{escape(name)}</th><td>{_cell(a.get(name, '-'))}</td>"
+            f"<td>{_cell(b.get(name, '-'))}</td>"
+            f"<td>{_cell(change(a.get(name, ''), b.get(name, '')))}</td></tr>"
             for name in dict.fromkeys([*a, *b])
             if name not in ("Source", NOT_KNOWN)
         )
         parts.append(f"<table><caption>{escape(title)}</caption>{head}{lines}</table>")
     return "".join(parts)
+
+
+def _cell(text: str) -> str:
+    """Return a value as HTML; numbers stay in one line with their percent signs."""
+    return escape(text).replace(" %", "&nbsp;%")
 
 
 def change(before: str, after: str) -> str:
@@ -168,7 +173,7 @@ def _error_name(name: str) -> str:
 def table(title: str, lines: Iterable[tuple[str, str]]) -> str:
     """Return a table of two columns."""
     body = "".join(
-        f"<tr><th scope='row'>{escape(name)}</th><td>{escape(text)}</td></tr>"
+        f"<tr><th scope='row'>{escape(name)}</th><td>{_cell(text)}</td></tr>"
         for name, text in lines
     )
     return f"<table><caption>{escape(title)}</caption>{body}</table>"

@@ -55,8 +55,13 @@ class NumberField:
     def given(self) -> dict[str, float | str]:
         """Return the key with the number in SI; nothing of an empty field."""
         text = self.text.value.strip()
-        power = min(self.units.values()) if len(self.units) < 2 else self.units[self.unit.value]
-        return {self.key: in_si(text, power)} if text else {}
+        return {self.key: in_si(text, self.chosen[1])} if text else {}
+
+    @property
+    def chosen(self) -> tuple[str, int | None]:
+        """The unit that is shown, with its power of ten."""
+        name = self.unit.value if len(self.units) > 1 else next(iter(self.units))
+        return name, self.units[name]
 
     @property
     def widgets(self) -> list[Any]:

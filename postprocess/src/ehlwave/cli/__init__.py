@@ -64,8 +64,8 @@ def command_parser() -> argparse.ArgumentParser:
     """Return the parser of all commands; needs the standard library alone."""
     parser = Parser(
         prog="ehlwave",
-        description="Figures, fits and tables from ehlwave-sweep results; deformed surfaces; "
-        "bearings, gears and cams.",
+        description="Films, friction, deformed roughness and stress of lubricated contacts, by "
+        "laws or from results of ehlwave-case and ehlwave-sweep",
     )
     parser.add_argument("--version", action=_Version, nargs=0, help="version of this package")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")

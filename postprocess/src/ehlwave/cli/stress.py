@@ -54,7 +54,7 @@ def _of_case(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: A
         if getattr(options, name) != default:
             raise StressError(
                 f"{name}= is for a measured surface, and without --conditions {options.file} is "
-                "that of a solved contact: remove it, or give --conditions"
+                "read as a solved contact: remove it, or give --conditions"
             )
     document, stresses = judge_case(options.file, depths, options.cycles, options.poisson_ratio)
     text = json.dumps(plain(document), indent=2, allow_nan=False)

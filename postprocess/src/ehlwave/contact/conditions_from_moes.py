@@ -101,8 +101,8 @@ def _film_ratio(values: Mapping[str, float], m: float, l: float, d: float, place
         return 1.0
     if "central_film_m" in values:
         raise SurfaceError(
-            f"{place}: gives both {OIL_OVER_FLOODED} and central_film_m: a given film is that of "
-            "the contact as it runs: remove one"
+            f"{place}: gives both {OIL_OVER_FLOODED} and central_film_m: a given film already "
+            "includes the lack of oil: remove one"
         )
     if values.get(SLIP, 1.0) != 1 or d == 0:
         return math.nan

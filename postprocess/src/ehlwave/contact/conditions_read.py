@@ -127,9 +127,9 @@ def _check_flow_law(law: Any, name: str, place: str) -> None:  # noqa: ANN401 - 
     """Refuse a flow law that differs from the keys."""
     if law is not None and FLOW_LAWS.get(str(law).lower()) != name:
         raise SurfaceError(
-            f"{place}: flow_law = '{str(law).lower()}', but the keys are those of a {name} oil: "
-            "give the stress of the law that is meant (eyring_stress_pa, or carreau_modulus_pa and "
-            "carreau_exponent), or change flow_law"
+            f"{place}: flow_law = '{str(law).lower()}', but the keys describe a {name} oil: "
+            "change flow_law, or give the keys of this law (eyring_stress_pa, or "
+            "carreau_modulus_pa and carreau_exponent)"
         )
 
 

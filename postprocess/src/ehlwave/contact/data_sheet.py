@@ -22,7 +22,7 @@ from ehlwave.contact.viscosity_grade import (
     hot_viscosity,
 )
 from ehlwave.errors import SurfaceError, did_you_mean, see
-from ehlwave.quantities import number
+from ehlwave.quantities import ZERO_CELSIUS_K, number
 from ehlwave.shown import percent
 
 DENSITY_K = 288.15
@@ -122,7 +122,9 @@ class Oil:
             f"{1e3 * self.viscosity_pa_s:.3g} mPa s{_within(self.viscosity_error)} and alpha = "
             f"{1e9 * self.pressure_viscosity_per_pa:.1f} 1/GPa{_within(error)}"
         )
-        return text + (f" at {self.temperature_k - 273.15:g} C" if self.temperature_k else "")
+        return text + (
+            f" at {self.temperature_k - ZERO_CELSIUS_K:g} C" if self.temperature_k else ""
+        )
 
     def keys(self) -> dict[str, float]:
         """Return the keys of a contact that the oil gives.
@@ -303,8 +305,8 @@ def _check_names(sheet: Mapping[str, Any]) -> None:
             raise SurfaceError(f"Oil.from_grade: gives {one} and {other}: remove one{see('oil')}")
     if "pressure_viscosity_error" in sheet and "pressure_viscosity_per_pa" not in sheet:
         raise SurfaceError(
-            "Oil.from_grade: pressure_viscosity_error is that of pressure_viscosity_per_pa, which "
-            f"is not given (the estimate of alpha has its own): give both{see('oil')}"
+            "Oil.from_grade: pressure_viscosity_error needs pressure_viscosity_per_pa (an "
+            f"estimated alpha has an error of its own): give both{see('oil')}"
         )
 
 

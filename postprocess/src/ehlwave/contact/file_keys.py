@@ -48,7 +48,7 @@ NOT_USED: dict[str, tuple[float | str, str]] = {
     "edges": ("flooded", "films have flooded edges"),
     "load_balance": ("force_balance", "responses are those under a load that does not change"),
     "load_factor": (1, "films and responses hold for the load before its step"),
-    "wave_temperatures": ("frozen", "waves are those without heat, over the film with heat"),
+    "wave_temperatures": ("frozen", "waves are computed without heat, over the film with heat"),
 }
 """Keys that predictions report as unused: the value without a message, and the assumption instead.
 """

@@ -5,6 +5,8 @@ Andersson, Proc. IMechE J 214, 2000, 337-342); ``&heat`` and the laws of heat ta
 Kinds missing in `usual_heat` have no known source.
 """
 
+from ehlwave.quantities import ZERO_CELSIUS_K
+
 CRAGOE_ERROR = 0.10
 """Cragoe, Thermal Properties of Petroleum Products, Bureau of Standards, Miscellaneous Publication
 97, 1929: from the density at 15 C; other handbooks' conductivities of mineral oils lie within.
@@ -39,7 +41,7 @@ def usual_heat(kind: str, temperature_k: float, density_15c: float) -> dict[str,
     >>> print(f"{found['conductivity_w_per_m_k']:.3f}, {found['heat_capacity_j_per_kg_k']:.0f}")
     0.129, 2012
     """
-    celsius, gravity = temperature_k - 273.15, density_15c / WATER_15C
+    celsius, gravity = temperature_k - ZERO_CELSIUS_K, density_15c / WATER_15C
     if kind == "mineral":
         return {
             "conductivity_w_per_m_k": 0.1172 / gravity * (1 - 0.00054 * celsius),

@@ -38,8 +38,9 @@ STYLE = (
 
 
 SOURCES = (
-    "Names above lead to these lines. The manual derives the formulas: Machine elements for loads, "
-    "radii and speeds; Theory for film, friction and deformed roughness; Stress for fatigue."
+    "Names above lead to these lines. The manual derives the formulas: the page of machine"
+    " elements for loads, radii and speeds; Theory for film, friction and deformed roughness;"
+    " Stress for fatigue."
 )
 """Text above the formulas."""
 

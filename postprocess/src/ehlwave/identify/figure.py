@@ -6,6 +6,7 @@ import numpy as np
 
 from ehlwave.identify.fit import Identified
 from ehlwave.identify.measurements import RESULTS, TEMPERATURE
+from ehlwave.quantities import ZERO_CELSIUS_K
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -109,7 +110,7 @@ def _group(group: tuple[tuple[str, float], ...]) -> str:
     said = []
     for key, value in group:
         if key == TEMPERATURE:
-            said.append(f"{value - 273.15:.4g} °C")
+            said.append(f"{value - ZERO_CELSIUS_K:.4g} °C")
         else:
             name, _, unit = LABELS.get(key, key).partition(" [")
             said.append(f"{name} {value:.4g} {unit.rstrip(']')}".rstrip())

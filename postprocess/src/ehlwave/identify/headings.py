@@ -4,6 +4,7 @@ import re
 import unicodedata
 
 from ehlwave.errors import ArgumentError
+from ehlwave.quantities import ZERO_CELSIUS_K
 
 _SPEED = ({"m/s": 1.0, "mm/s": 1e-3}, "mean_speed_m_per_s")
 _FILM = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "nm": 1e-9}
@@ -30,7 +31,6 @@ QUANTITIES = {
 """Words of a heading: factors of units, and the key or result in SI units."""
 
 _UNIT = re.compile(r"^(?P<words>[^\[(]*?)\s*[\[(](?P<unit>[^\])]*)[\])]\s*$")
-KELVIN_AT_0 = 273.15
 
 
 def rig_heading(heading: str, place: str) -> tuple[str, float, float] | None:
@@ -59,4 +59,4 @@ def rig_heading(heading: str, place: str) -> tuple[str, float, float] | None:
         known = ", ".join(f"[{one}]" for one in units if one)
         given = f"has the unit {unit}" if unit else "has no unit"
         raise ArgumentError(f"{place}: column {heading} {given}: write one of {known} behind it")
-    return name, units[unit], KELVIN_AT_0 if name == "temperature_k" and unit != "k" else 0.0
+    return name, units[unit], ZERO_CELSIUS_K if name == "temperature_k" and unit != "k" else 0.0

@@ -10,8 +10,9 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from ehlwave.errors import ArgumentError, did_you_mean
-from ehlwave.identify.headings import KELVIN_AT_0, rig_heading
+from ehlwave.identify.headings import rig_heading
 from ehlwave.inputs.key_table import KEYS
+from ehlwave.quantities import ZERO_CELSIUS_K
 
 RESULTS = {
     "central_film_m": "central film, m",
@@ -135,7 +136,7 @@ def _known_columns(table: pd.DataFrame, place: str) -> Mapping[str, NDArray[np.f
         if heading in _LENGTHS or heading in _OTHER:
             name, factor = (_LENGTHS | _OTHER)[heading]
         elif heading == CELSIUS:
-            name, offset = TEMPERATURE, KELVIN_AT_0
+            name, offset = TEMPERATURE, ZERO_CELSIUS_K
         elif heading not in words and (own := rig_heading(heading, place)):
             name, factor, offset = own
         elif heading not in words:

@@ -59,9 +59,9 @@ class AtlasTransfer:
             raise RangeError(ROLLS_ALONE)
         if not conditions.has_atlas:
             raise RangeError(
-                f"slip_parameter = {conditions.slip_parameter:g}: of contacts that slide the atlas "
-                "holds those with a Ree-Eyring oil, eyring_stress_pa; name the law of the two "
-                "waves, or give a harmonic table of this slip"
+                f"slip_parameter = {conditions.slip_parameter:g}: the atlas holds sliding contacts "
+                "with Ree-Eyring oils only: give eyring_stress_pa, name the law of the two waves, "
+                "or give a harmonic table of this slip"
             )
         self._conditions = conditions
         self._atlas = atlas_for(conditions, atlas)

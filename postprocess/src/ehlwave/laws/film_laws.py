@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.laws.atlas.chart import Chart, SmoothFilm
-from ehlwave.laws.rigid_lines import SOURCE as RIGID
-from ehlwave.laws.rigid_lines import is_rigid, rigid_film
+from ehlwave.laws.rigid_films import SOURCE as RIGID
+from ehlwave.laws.rigid_films import is_rigid, rigid_film
 
 ChartAt = Callable[[float], Chart]
 """Chart of a contact at a slip parameter; raises RangeError outside the atlas."""

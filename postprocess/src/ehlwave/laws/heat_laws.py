@@ -186,19 +186,25 @@ def sliding_film(conditions: Conditions, eyring_stress_pa: float, film_m: float)
 
 
 def warmed(
-    conditions: Conditions, heat: Heat, film_m: float, eyring_stress_pa: float | None
+    conditions: Conditions,
+    heat: Heat,
+    film_m: float,
+    eyring_stress_pa: float | None,
+    is_rigid: bool = False,
 ) -> Heated:
     """Return film and friction of a contact with heat, errors as of contacts within the ranges.
 
-    Arguments as in :func:`ehlwave.laws.heated_contact.heated`, which refuses others.
+    Arguments as in :func:`ehlwave.laws.heated_contact.heated`, which refuses others; `is_rigid`:
+    whether the load hardly deforms the bodies.
     """
     given, ratio = dict(conditions.given), conditions.slide_to_roll_ratio
     u, error = float(given["mean_speed_m_per_s"]), heat.oil_conductivity_error
     over_c = film_m / float(conditions.hertz_approach_c_m or np.nan)
     is_light = conditions.is_line and (over_c > light_lines.THINNEST_FILM or conditions.m < LIGHT_M)
+    is_rigid |= conditions.is_line and conditions.m < light_lines.LIGHT.load_parameter_m[0]
     softest = RANGES["eyring_stress_pa"][0]
     is_soft = not conditions.is_line and (eyring_stress_pa or softest) < softest
-    is_oily = conditions.is_line and light_lines.is_oily(conditions.l, ratio == 0)
+    is_oily = (conditions.is_line or is_rigid) and light_lines.is_oily(conditions.l, ratio == 0)
 
     def inlet_of(heat: Heat) -> float:
         wall = wall_parameter(heat, film_m, conditions.semi_axis_a_m, u)
@@ -210,7 +216,7 @@ def warmed(
 
     def errors_of(warmth: float) -> tuple[float, float]:
         both = (float(film_error(inlet, warmth, of)) for of in ("central", "smallest"))
-        more = light_lines.film_bar(conditions.m, 1 - inlet) if is_light else 0.0
+        more = light_lines.film_bar(1 - inlet, is_rigid) if is_light or is_rigid else 0.0
         more += SOFT_FILMS if is_soft else 0.0
         times = light_lines.OILY_FILMS if is_oily else 1.0
         central, smallest = (times * (one + more) + by_data for one in both)

@@ -8,7 +8,7 @@ from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.laws import inlet_coefficients as inlet
 from ehlwave.laws.heat_laws import LOWEST_RATIO, RANGES, Heated, loading_of, warmed
 from ehlwave.laws.light_lines import LIGHT
-from ehlwave.laws.rigid_lines import LOWEST_M
+from ehlwave.laws.rigid_films import HIGHEST_L, LOWEST_ELLIPSE_M, LOWEST_M, is_rigid
 
 EYRING_PA = (1e6, RANGES["eyring_stress_pa"][1])
 POINT_RANGES = RANGES | {"eyring_stress_pa": EYRING_PA}
@@ -37,6 +37,11 @@ LINE_ROLLING_RANGES = ROLLING_RANGES | {
     "lubricant_parameter_l": (inlet.L_RANGE[0], 35.0),
 }
 """Ranges of line contacts in pure rolling."""
+RIGID_RANGES = LINE_ROLLING_RANGES | {
+    "load_parameter_m": (LOWEST_ELLIPSE_M, inlet.M_RANGE[1]),
+    "lubricant_parameter_l": (inlet.L_RANGE[0], HIGHEST_L),
+}
+"""Ranges of elliptical contacts in pure rolling whose load hardly deforms the bodies."""
 
 
 def heated(
@@ -61,7 +66,11 @@ def heated(
         If the contact lies outside the contacts that the laws were fitted to.
     """
     _check(conditions, heat, film_m, eyring_stress_pa)
-    return warmed(conditions, heat, film_m, eyring_stress_pa)
+    return warmed(conditions, heat, film_m, eyring_stress_pa, _rolls_rigid(conditions))
+
+
+def _rolls_rigid(conditions: Conditions) -> bool:
+    return conditions.slip_parameter == 1 and not conditions.is_line and is_rigid(conditions)
 
 
 def check_heat(conditions: Conditions, heat: Heat) -> None:
@@ -99,6 +108,8 @@ def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float |
     rolls = conditions.slip_parameter == 1
     if conditions.is_line:
         ranges = LINE_ROLLING_RANGES if rolls else LINE_RANGES
+    elif _rolls_rigid(conditions):
+        ranges = RIGID_RANGES
     else:
         ranges = ROLLING_RANGES if rolls else POINT_RANGES
     for name, found in values.items():

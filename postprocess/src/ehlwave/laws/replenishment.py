@@ -249,7 +249,7 @@ def replenish(conditions: Conditions, track_length_m: float, overrollings: float
     ...     mean_speed_m_per_s=4, viscosity_pa_s=0.05, oil_over_flooded=0.5)
     >>> table = replenish(contact.conditions, track_length_m=0.3, overrollings=100)
     >>> table[["overrollings", "inlet"]].iloc[[0, -1]].round(2).to_numpy().tolist()
-    [[1.0, 0.48], [100.0, 0.23]]
+    [[1.0, 0.48], [100.0, 0.26]]
     """
     if not 2 <= overrollings <= MOST_OVERROLLINGS:
         raise SurfaceError(

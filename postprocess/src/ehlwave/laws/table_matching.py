@@ -118,7 +118,8 @@ def _refuse_varying(rows: pd.DataFrame, name: str) -> None:
         there = sorted({_text(value) for value in rows[key]})
         if len(there) > 1:
             raise SurfaceError(
-                f"{name}: has rows of {key} = {' and of '.join(there[:4])}: keep those of one"
+                f"{name}: has rows of {key} = {' and of '.join(there[:4])}: keep the "
+                "rows of a single value"
             )
 
 

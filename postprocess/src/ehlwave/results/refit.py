@@ -218,8 +218,8 @@ def refit_warnings(rows: Sequence[RefitRow]) -> list[str]:
         kinds = [one.group for one in rows if one.variable == "f_v" and one.points]
         if len(kinds) == 2:
             found.append(
-                f"{kinds[1]} waves only: the coefficients are those of this orientation, not of "
-                "one curve for all"
+                f"{kinds[1]} waves only: the coefficients hold for this orientation; add "
+                "others for a single curve"
             )
         if row.c1 < 0:
             found.append(_above_one(row))

@@ -196,7 +196,7 @@ def warnings_of(
     laws = conditions.oil.other_laws
     if laws and conditions.central_film_error is None:
         found.append(
-            f"{', '.join(laws)}: the film is that of a formula for Roelands' oil without a limit "
+            f"{', '.join(laws)}: the film comes from a formula for Roelands' oil without a limit "
             "of the stress, and its error is not known: give central_film_m"
         )
     ratio = statistics.amplitude_over_film

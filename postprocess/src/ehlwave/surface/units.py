@@ -100,9 +100,3 @@ def split_unit(heading: str) -> tuple[str, str | None]:
         if is_other_unit(last) and (mark in "/," or last.lower() in _BEHIND_A_DASH):
             return before.strip(" _-,"), last
     return text, None
-
-
-def unit_in_heading(heading: str) -> str | None:
-    """Return the unit of length in a heading such as ``x [um]``, ``x/mm`` or ``x_m``."""
-    unit = split_unit(heading)[1]
-    return None if unit is None else known_unit(unit)

@@ -69,9 +69,9 @@ def traction(
     >>> keys = {"radius_x_m": 0.02, "reduced_modulus_pa": 2.26e11, "load_n_per_m": 4e5,
     ...         "mean_speed_m_per_s": 2, "viscosity_pa_s": 0.03, "flow_law": "eyring",
     ...         "eyring_stress_pa": 5e6, "cells_x": 256, "shear_limit_over_pressure": 0.05}
-    >>> found = traction(keys, ratios=[1e-5, 0.01, 1], progress=False)
+    >>> found = traction(keys, ratios=[0.01, 1], progress=False)
     >>> found.table["regime"].tolist()
-    ['linear', 'nonlinear', 'limited']
+    ['nonlinear', 'limited']
     """
     chosen_or_none(by, "by", FILM_BY)
     given = {key: value for key, value in keys.items() if key not in (SLIP, RATIO)}
@@ -107,8 +107,8 @@ def _check_keys(given: Mapping[str, Any]) -> None:
     for key in given:
         if GROUP_OF.get(key) in UNUSED:
             raise ArgumentError(
-                f"{key}: &{GROUP_OF[key]} has no part in friction over slip, which is that of one "
-                "smooth contact in its steady state: remove it"
+                f"{key}: &{GROUP_OF[key]} has no effect here: friction over slip is computed for a "
+                "smooth contact in a steady state. Remove it"
             )
 
 

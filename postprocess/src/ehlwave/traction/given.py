@@ -26,8 +26,8 @@ def read_keys(path: str | Path) -> dict[str, Any]:
     for name in ("sweep", *UNUSED):
         if any(group == name for group, _ in file.entries):
             raise ArgumentError(
-                f"{path}: has &{name}: friction over slip is that of one smooth contact in its "
-                "steady state: remove it"
+                f"{path}: has &{name}: friction over slip is computed for a smooth contact in "
+                "a steady state: remove it"
             )
     try:
         groups = values_of(file)

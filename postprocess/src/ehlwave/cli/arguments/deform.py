@@ -84,7 +84,7 @@ def add_deform_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does 
     deform.set_defaults(run=later("ehlwave.cli.deform", "run_deform"), brief=False)
     ratio = commands.add_parser(
         "lambda",
-        help="lambda ratio of a measured surface as it is inside the contact",
+        help="print the lambda ratio of a measured surface inside the contact",
         description=LAMBDA_DESCRIPTION,
         epilog=EPILOG.replace("ehlwave deform", "ehlwave lambda"),
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -7,10 +7,10 @@ from typing import Any
 from ehlwave.cli.arguments.shared import add_drawn_output, add_overwrite, later
 
 COMMANDS = {
-    "bearing": "films, roughness and stresses over the load zone of a rolling bearing",
-    "gear": "films, roughness, friction and stresses along the path of contact of a gear pair",
-    "cam": "films, roughness, friction and stresses over one turn of a cam",
-    "rig": "films, roughness, friction and stresses of a test rig over its speed",
+    "bearing": "compute films, roughness and stresses over the load zone of a rolling bearing",
+    "gear": "compute films, roughness, friction and stresses along the path of contact of gears",
+    "cam": "compute films, roughness, friction and stresses over one turn of a cam",
+    "rig": "compute films, roughness, friction and stresses of a test rig over its speed",
 }
 EPILOG = """\
 FILE is a TOML file: element = "...", [dimensions], [conditions], [oil] and, for roughness,
@@ -18,7 +18,7 @@ FILE is a TOML file: element = "...", [dimensions], [conditions], [oil] and, for
 
 {example}
 
-Other elements and their names: the manual, Machine elements.
+Other elements and their names: the page of machine elements in the manual.
 
 With --output DIR it writes report.html (one file, figures inside), report.json, table.csv, and
 cases.csv with sweep.nml for ehlwave-sweep. Places without an answer have a reason.

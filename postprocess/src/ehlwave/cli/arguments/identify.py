@@ -35,7 +35,7 @@ def add_identify_command(commands: Any) -> None:  # noqa: ANN401 - argparse does
     """Add the command to the parsers of ``ehlwave``."""
     parser = commands.add_parser(
         "identify",
-        help="parameters of an oil from measured films, friction or Ad/Ai",
+        help="fit parameters of an oil to measured films, friction or Ad/Ai",
         description=DESCRIPTION,
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -31,7 +31,7 @@ def add_replenish_command(commands: Any) -> None:  # noqa: ANN401 - argparse doe
     """Add the command to the parsers of ``ehlwave``."""
     parser = commands.add_parser(
         "replenish",
-        help="film over time of a starved track without replenishment",
+        help="compute the film over time of a track that no oil comes back to",
         description=DESCRIPTION,
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,

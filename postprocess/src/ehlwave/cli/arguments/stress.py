@@ -42,7 +42,7 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
     """Add the command to the parsers of ``ehlwave``."""
     parser = commands.add_parser(
         "stress",
-        help="stresses below a contact, Dang Van's factor and life",
+        help="compute stresses below a contact, Dang Van's factor and life",
         description=DESCRIPTION,
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -25,7 +25,7 @@ def add_stribeck_command(commands: Any) -> None:  # noqa: ANN401 - argparse does
     """Add the command to the parsers of ``ehlwave``."""
     parser = commands.add_parser(
         "stribeck",
-        help="friction, touching and film over the speed in mixed lubrication",
+        help="compute friction, touching and film over the speed in mixed lubrication",
         description=DESCRIPTION,
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,

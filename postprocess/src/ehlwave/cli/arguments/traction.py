@@ -30,7 +30,7 @@ def add_traction_command(commands: Any) -> None:  # noqa: ANN401 - argparse does
     """Add the command to the parsers of ``ehlwave``."""
     parser = commands.add_parser(
         "traction",
-        help="friction and temperatures over the slide-to-roll ratio",
+        help="compute friction and temperatures over the slide-to-roll ratio",
         description=DESCRIPTION,
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,

@@ -64,8 +64,8 @@ class Atlas(Networks):
         kind = KINDS[data.attrs["kind"]]
         if data.attrs.get("ranges") != ranges_text(kind):
             raise ResultsError(
-                f"an atlas of other ranges ({data.attrs.get('ranges')}) than those of this "
-                f"version ({ranges_text(kind)}): scripts/study atlas makes one"
+                f"an atlas with the ranges {data.attrs.get('ranges')}; this version needs "
+                f"{ranges_text(kind)}: make it by scripts/study atlas"
             )
         super().__init__(data, kind)
 

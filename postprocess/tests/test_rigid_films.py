@@ -1,4 +1,4 @@
-"""Rolling line contacts too light to deform: Martin's film, the program, and its neighbours."""
+"""Rolling contacts too light to deform: films of constant viscosity, the program, neighbours."""
 
 import math
 
@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 
 import ehlwave
 from ehlwave.contact.oils import log_viscosity
-from ehlwave.laws.rigid_lines import DEFORMED, rigid_film
+from ehlwave.laws.rigid_films import LINE, rigid_film
 
 OIL = {"pressure_viscosity_per_pa": 2e-8, "roelands_index": 0.6}
 
@@ -44,8 +44,8 @@ def test_reynolds_equation_solved_by_itself() -> None:
 
     film = brentq(lambda h: load(h) - m, 2.5 / m, 4 / m, xtol=1e-6)
     found = rigid_film(light(m, l).conditions)
-    deformed = (found.central_error - 0.015) / 0.4
-    assert found.central_moes / (1 + DEFORMED * deformed) == pytest.approx(film, rel=3e-3)
+    deformed = (found.central_error - LINE.error) / LINE.error_by_growth
+    assert found.central_moes / (1 + LINE.growth * deformed) == pytest.approx(film, rel=3e-3)
 
 
 @pytest.mark.parametrize(
@@ -59,6 +59,36 @@ def test_films_of_the_program(m: float, l: float, computed: float) -> None:  # n
     assert "rigid" in film.source
     assert film.central_moes == pytest.approx(computed, rel=film.central_error)
     assert film.central_error < 0.05
+
+
+@pytest.mark.parametrize(
+    ("m", "l", "d", "computed"),
+    [
+        (2.125, 8, 1.0, 8.3341),
+        (2.853, 17, 1.0, 5.8422),
+        (5.55, 20, 0.2, 15.362),
+        (15.87, 17, 0.05, 10.488),
+        (22.51, 2, 0.012, 18.912),
+    ],
+)
+def test_ellipses_of_the_program(m: float, l: float, d: float, computed: float) -> None:  # noqa: E741
+    """ehlwave-case with accuracy = 0.02, errors of at most 1.3 %."""
+    contact = ehlwave.Contact(load_parameter_m=m, lubricant_parameter_l=l, radius_ratio_d=d, **OIL)
+    film = contact.film(by="laws")
+    assert "rigid" in film.source
+    assert film.central_moes == pytest.approx(computed, rel=film.central_error)
+    assert film.central_error < 0.13
+
+
+def test_isoviscous_film_of_brewe_hamrock_and_taylor() -> None:
+    """128 alpha (phi (0.131 atan(alpha/2) + 1.683))^2 (U/W)^2, alpha = 1/D, phi = 3/(3 + 2 D)."""
+    m = 0.2
+    for d in (1.0, 0.2):
+        contact = ehlwave.Contact(
+            load_parameter_m=m, lubricant_parameter_l=0.01, radius_ratio_d=d, **OIL
+        )
+        formula = 32 / d * (3 / (3 + 2 * d) * (0.131 * math.atan(0.5 / d) + 1.683)) ** 2 / m**2
+        assert rigid_film(contact.conditions).central_moes == pytest.approx(formula, rel=0.02)
 
 
 def test_films_meet_the_atlas() -> None:
