@@ -80,12 +80,20 @@ def run(
     ranks: int = 0,
     folder: str | Path | None = None,
     seconds: float | None = None,
+    processor_s: int | None = None,
 ) -> Outcome:
     """Run ``case`` or ``sweep`` in `folder`; with `ranks` under mpiexec.
+
+    After so many seconds of the processor it is stopped, with a negative status.
 
     Raises subprocess.TimeoutExpired if it takes longer than `seconds`; it has been stopped then;
     OSError if there is no such program.
     """
+
+    def limit() -> None:
+        if processor_s is not None:
+            resource.setrlimit(resource.RLIMIT_CPU, (processor_s, processor_s + 1))
+
     command = [str(program(name)), *map(str, arguments)]
     if ranks:
         command = [*mpi_command(ranks), *command]
@@ -97,6 +105,7 @@ def run(
         text=True,
         check=False,
         timeout=seconds,
+        preexec_fn=limit,
     )
 
 

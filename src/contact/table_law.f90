@@ -62,7 +62,7 @@ contains
       if (table%column(temperature) == 0) then
          continue
       else if (.not. law%temperature_k > 0) then
-         call raise(error, table%path//': has '//range//' K: say by &lubricant temperature_k which is that of the oil')
+         call raise(error, table%path//': has '//range//' K: &lubricant temperature_k is needed')
       else if (law%temperature_k < list(1) - same_k .or. law%temperature_k > list(size(list)) + same_k) then
          call raise(error, table%path//': &lubricant temperature_k = '//to_text(temperature_k, 6)// &
                     ' is outside the table ('//range//' K): change it, or measure there')

@@ -92,7 +92,7 @@ class ViscosityTables(FolderTest):
                             table, TABLE, conditions={**CONTACT, "viscosity_pa_s": 0.051})
         warm = "temperature_k,pressure_pa,viscosity_pa_s\n" + "".join(
             f"{t},{p},{roelands(p)*math.exp(-0.04*(t - 313))}\n" for t in (313, 353) for p in (0, 1e8, 4e8, 1e9))
-        self.assert_refused(start + "oil.csv: has 2 temperatures, 313 to 353 K: say by &lubricant temperature_k",
+        self.assert_refused(start + "oil.csv: has 2 temperatures, 313 to 353 K: &lubricant temperature_k is needed",
                             warm, TABLE)
         self.assert_refused("temperature_k = 360 is outside the table", warm, {**TABLE, "temperature_k": 360})
 

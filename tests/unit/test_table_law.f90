@@ -139,7 +139,7 @@ contains
       type(number_table_t) :: table
 
       table = roelands_table(6, warm)
-      call refuse(table, 0.0_dp, 't.csv: has 4 temperatures, 293.15 to 373.15 K: say by &lubricant temperature_k')
+      call refuse(table, 0.0_dp, 't.csv: has 4 temperatures, 293.15 to 373.15 K: &lubricant temperature_k is needed')
       call refuse(table, 290.0_dp, '&lubricant temperature_k = 290 is outside the table (4 temperatures')
       call refuse(changed(9, 1, 0.0_dp), warm(2), 't.csv:10: viscosity_pa_s = 0 is not above 0')
       call refuse(changed(9, 2, 40.0_dp), warm(2), 't.csv:10: temperature_k = 40 is not from 200 to 700: write kelvin')

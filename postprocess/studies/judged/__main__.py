@@ -1,12 +1,9 @@
 """The command behind ``scripts/study judged``: laws of the package against computed contacts."""
 
 import argparse
-import math
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-
-import numpy as np
 
 from studies.command import laws
 from studies.command.options import step_parser
@@ -48,12 +45,16 @@ def _ours(rows: Sequence[Row]) -> list[Row]:
 def _part(part: str, count: int, folder: Path, write: bool) -> list[Row]:
     path = folder / f"{part.replace('-', '_')}.jsonl"
     if part == "answers":
-        return answers.study(path, count, folder)
+        return answers.study(path, count)
     module = FITTED.get(part, isothermal)
     rows = module.computed(path, count, 1)
     write_rows(path.with_suffix(".csv"), rows, digits=5)
     if module is isothermal:
-        return [_judged(rows, name) for name in ("central", "smallest", "response", "friction")]
+        names = ("central", "smallest", "response", "friction")
+        return [
+            answers.judged([isothermal.times(row, name) for row in rows], name, part)
+            for name in names
+        ]
     if part == "heavy-films":
         found, table = heavy_films.fit(heavy_films.usable(rows))
     else:
@@ -62,20 +63,6 @@ def _part(part: str, count: int, folder: Path, write: bool) -> list[Row]:
     if write:
         FITTED[part].write(found)
     return [{"part": part, **row} for row in table]
-
-
-def _judged(rows: Sequence[Row], name: str) -> Row:
-    """Return the share of contacts within the errors of the package and of the computation."""
-    times = np.array([isothermal.times(row, name) for row in rows])
-    times = times[np.isfinite(times)]
-    return {
-        "part": "isothermal",
-        "law": name,
-        "contacts": times.size,
-        "within": float(np.mean(times <= 1)) if times.size else math.nan,
-        "beyond_1.5": float(np.mean(times > 1.5)) if times.size else math.nan,
-        "largest": float(times.max()) if times.size else math.nan,
-    }
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@ import json
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from subprocess import TimeoutExpired
 from typing import Any
 
 from ehlwave.contact import conditions_from_keys
@@ -12,23 +11,23 @@ from ehlwave.writing import keep_own_file
 from studies.programs import Groups, namelist, run
 from studies.sweeps import Row
 
-SECONDS = 120.0
-"""Time of a case, at most."""
+PROCESSOR_S = 10
+"""Processor time of a case, at most, seconds."""
 
 
 def solved(groups: Groups, folder: Path) -> Row | None:
-    """Return the result of a case; None if it was refused, did not converge or took too long."""
+    """Return the result of a case; None if it was refused, did not converge or took too long.
+
+    A result that is less accurate than asked has its error.
+    """
     path = folder / "case.nml"
     keep_own_file(path, namelist(groups).encode())
-    try:
-        outcome = run("case", path, "--json", "--quiet", seconds=SECONDS)
-    except TimeoutExpired:
-        return None
+    outcome = run("case", path, "--json", "--quiet", processor_s=PROCESSOR_S)
     lines = outcome.stdout.strip().split("\n")
     if not lines[-1].startswith("{"):
         return None
     found: Row = json.loads(lines[-1])
-    return found if found["status"] == "converged" else None
+    return found if found["status"] in ("converged", "inaccurate") else None
 
 
 def kept(

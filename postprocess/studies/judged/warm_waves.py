@@ -5,6 +5,7 @@ import json
 from collections.abc import Sequence
 from itertools import product
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,13 @@ from scipy.optimize import least_squares
 import ehlwave
 from ehlwave.contact import conditions_from_keys
 from ehlwave.errors import EhlwaveError
-from ehlwave.laws.warm_waves import FILM_POWER, warm_error, warm_ratio, warmth_of
+from ehlwave.laws.warm_waves import (
+    FILM_POWER,
+    MOST_NEWTONIAN,
+    warm_error,
+    warm_ratio,
+    warmth_of,
+)
 from ehlwave.writing import Writer
 from studies import heat
 from studies.atlas.waves import pattern
@@ -34,6 +41,10 @@ AMPLITUDE = 0.01
 LARGEST_FILM_ERROR = 0.08
 
 
+NUMBERS, TAKEN = range(1000, 1400), 44
+"""Numbers of contacts with Newtonian oils, of which the study takes so many."""
+
+
 def drawn(number: int) -> Row:
     """Return a contact of ``studies.heat`` and a wave of its faster or slower surface."""
     random = np.random.default_rng([521, number])
@@ -48,6 +59,8 @@ def drawn(number: int) -> Row:
         if heat.LOADS[0] <= c.m <= heat.LOADS[1] and heat.OILS[0] <= c.l and film < heat.THICKEST:
             break
     angle = 0.0 if is_line or random.random() < TRANSVERSE_SHARE else random.uniform(0, 80)
+    if number in NUMBERS:
+        del row["eyring_stress_pa"]
     return row | {
         "wavelength_over_a": log_uniform(random, *WAVES),
         "angle_deg": float(f"{angle:.4g}"),
@@ -110,8 +123,17 @@ def study(number: int, folder: Path) -> Row:
 
 
 def computed(path: Path, count: int, at_once: int) -> list[Row]:
-    """Return rows of so many waves."""
-    return kept(path, range(count), study, at_once)
+    """Return rows of so many waves, and of sliding contacts of Newtonian oils."""
+    return kept(path, [*range(count), *_newtonian()], study, at_once)
+
+
+def _newtonian() -> list[int]:
+    """Return numbers of sliding contacts of Newtonian oils, lines and points in turn."""
+    slide = [number for number in NUMBERS if drawn(number)["slip_parameter"] != 1]
+    lines = [number for number in slide if "load_n_per_m" in drawn(number)]
+    points = [number for number in slide if number not in lines]
+    pairs = zip(lines, points, strict=False)
+    return [number for pair in pairs for number in pair][:TAKEN]
 
 
 PACKAGE = Path(__file__).resolve().parents[2] / "src/ehlwave/laws/warm_waves.json"
@@ -140,9 +162,8 @@ def compared(rows: Sequence[Row]) -> list[Row]:
         data = heat_of(row)
         wave = row["wavelength_over_a"], row["angle_deg"]
         try:
-            film = ehlwave.Contact(**given, heat=data).film()
+            factor, warmth = _warming(row, given, data)
             cold = ehlwave.Contact(**given)
-            factor = film.heated.film_factor if film.heated else 1.0
             thin = dict(given, viscosity_pa_s=given["viscosity_pa_s"] * factor ** (1 / FILM_POWER))
             before, after = cold.response(*wave), ehlwave.Contact(**thin).response(*wave)
         except EhlwaveError:
@@ -157,38 +178,66 @@ def compared(rows: Sequence[Row]) -> list[Row]:
                 "thin": after.film,
                 "cold_error": before.error,
                 "thin_error": after.error,
-                "warmth": warmth_of(film, data, row["slip_parameter"]),
+                "warmth": warmth,
             }
         )
     return found
 
 
+def _warming(row: Row, given: Row, data: ehlwave.Heat) -> tuple[float, float]:
+    """Return the warm over the isothermal film, and w; computed values of Newtonian oils."""
+    if "eyring_stress_pa" not in given:
+        w = data.viscosity_temperature_per_k * row["rise_mid_film_k"]
+        return row["warm_over_cold"], w
+    film = ehlwave.Contact(**given, heat=data).film()
+    factor = film.heated.film_factor if film.heated else 1.0
+    return factor, warmth_of(film, data, row["slip_parameter"])
+
+
 def fit(rows: Sequence[Row]) -> tuple[dict[str, list[float]], list[Row]]:
-    """Return the coefficients, and a row for the isothermal response and for the law."""
-    names = ("true", "cold", "thin", "cold_error", "thin_error", "warmth", "frozen_error")
-    true, cold, thin, before, after, warmth, own = (np.array([r[n] for r in rows]) for n in names)
+    """Return the coefficients, and the coverage of the isothermal response and of the law.
+
+    The law is fitted to Ree-Eyring oils, and judged by Newtonian oils, too.
+    """
+    fitted = [row for row in rows if row["number"] not in NUMBERS]
+    others = [row for row in rows if row["number"] in NUMBERS and row["warmth"] <= MOST_NEWTONIAN]
+    _, cold, thin, after, warmth = _columns(fitted)
     best = least_squares(
-        lambda p: np.abs(warm_ratio(cold, thin, warmth, p) - true),
-        [0.3],
+        lambda p: _off(fitted, p, 0.0),
+        [0.3, 0.3, 0.1],
         loss="soft_l1",
         f_scale=0.02,
     ).x
-    off = np.maximum(np.abs(warm_ratio(cold, thin, warmth, best) - true) - 0.5 * own, 0)
-    change = np.abs(thin - cold)
+    off = _off(fitted, best)
     error, least = np.array([np.nan, np.nan]), np.inf
     for e in product(np.linspace(0, 1, 21), np.linspace(LEAST_BY_WARMTH, 0.2, 28)):
-        bars = after + warm_error(change, warmth, e)
+        bars = after + warm_error(np.abs(thin - cold), warmth, e)
         times = off / bars
         holds = np.mean(times <= 1) >= WITHIN and np.mean(times > FAR) <= MOST_FAR
         if holds and bars.mean() < least:
             error, least = np.array(e), float(bars.mean())
-    isothermal = np.maximum(np.abs(cold - true) - 0.5 * own, 0)
-    table = [
-        _row("isothermal", isothermal, before),
-        _row("warm", off, after + warm_error(change, warmth, error)),
-    ]
+    before = np.array([row["cold_error"] for row in fitted])
+    table = [_row("isothermal", _off(fitted, None), before)]
+    for name, part in (("warm", fitted), ("warm, Newtonian", others)):
+        _, cold, thin, after, warmth = _columns(part)
+        bars = after + warm_error(np.abs(thin - cold), warmth, error)
+        table.append(_row(name, _off(part, best), bars))
     found = {"kept": np.abs(best), "error": error}
     return {name: [float(f"{c:.4g}") for c in values] for name, values in found.items()}, table
+
+
+def _columns(rows: Sequence[Row]) -> list[NDArray[Any]]:
+    names = ("true", "cold", "thin", "thin_error", "warmth")
+    return [np.array([row[name] for row in rows]) for name in names]
+
+
+def _off(rows: Sequence[Row], coefficients: Floats | None, share: float = 0.5) -> Floats:
+    """Return deviations of the law, or the isothermal response, less a share of their errors."""
+    true, cold, thin, _, warmth = _columns(rows)
+    along = np.cos(np.radians([row["angle_deg"] for row in rows]))
+    law = cold if coefficients is None else warm_ratio(cold, thin, warmth, along, coefficients)
+    own = np.array([row["frozen_error"] for row in rows])
+    return np.maximum(np.abs(law - true) - share * own, 0)
 
 
 def _row(law: str, off: Floats, error: Floats) -> Row:

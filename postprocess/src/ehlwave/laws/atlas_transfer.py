@@ -15,7 +15,7 @@ from ehlwave.errors import RangeError
 from ehlwave.laws.atlas.atlas import Atlas, atlas_for, chart_of
 from ehlwave.laws.atlas.chart import Chart
 from ehlwave.laws.atlas.ranges import WAVE_RANGE
-from ehlwave.laws.transfer import EXTRAPOLATED, Waves
+from ehlwave.laws.transfer import EXTRAPOLATED, Transfer, Waves
 
 Complex = NDArray[np.complex128]
 
@@ -40,7 +40,7 @@ class Found:
     is_covered: NDArray[np.bool_]
 
 
-class AtlasTransfer:
+class AtlasTransfer(Transfer):
     """Film responses of the atlas for a contact that rolls, or slides in a Ree-Eyring oil.
 
     Waves shorter than the atlas have nearly their whole amplitude: 1 - T continues with the power
@@ -79,11 +79,6 @@ class AtlasTransfer:
     def name(self) -> str:
         """Return its description."""
         return self._atlas.name
-
-    @property
-    def covers_all(self) -> bool:
-        """The atlas ends somewhere."""
-        return False
 
     @property
     def outside_reason(self) -> str:

@@ -20,8 +20,10 @@ ACCURACY, WARM_ACCURACY, DATA_ACCURACY = 0.005, 0.01, 0.03
 """Relative errors of the central film that are asked for: without heat, with heat, and where only
 the effect of changed data counts. Halving it takes four times as long.
 """
+DATA_SHARE = 20
+"""Film error by errors of the oil's data over the accuracy that suffices beside it."""
 MINIMUM_ERROR = 0.05
-"""Error of the smallest film above which the grid is refined."""
+"""Error of the smallest film above which the grid is refined; at least four times the accuracy."""
 LARGEST_LINE = 8192
 """Cells of the refined grids of line contacts at most."""
 LARGEST_GRID, STARVED_SHARE, WARM_SHARE = 2**18, 2, 4
@@ -107,11 +109,11 @@ def smooth_case(
 ) -> Result:
     """Return the program's result; the grid is refined where the smallest film needs it."""
     keys = case_keys(conditions, heat)
-    accuracy = ACCURACY if heat is None else WARM_ACCURACY
+    accuracy = max(ACCURACY if heat is None else WARM_ACCURACY, conditions.oil_error / DATA_SHARE)
     found = run_case({**keys, "accuracy": accuracy}, progress)
     largest = LARGEST_GRID // (STARVED_SHARE if conditions.is_starved else 1)
     largest //= 1 if heat is None else WARM_SHARE
-    while _number(found, "minimum_film_error") > MINIMUM_ERROR:
+    while _number(found, "minimum_film_error") > max(MINIMUM_ERROR, 4 * accuracy):
         # The smallest film lies in the side lobes: cells across are refined first.
         x, y = found["cells_x"], found["cells_y"]
         finer = {"cells_x": x if y < x else 2 * x}

@@ -25,7 +25,14 @@ from ehlwave.laws.standing_waves import StandingRidges
 from ehlwave.laws.starved_transfer import StarvedTransfer
 from ehlwave.laws.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.laws.two_wave_transfer import TwoWaveTransfer
-from ehlwave.laws.warm_waves import BEYOND, MORE_ERROR, NEWTONIAN, WarmTransfer, thinner, warmth_of
+from ehlwave.laws.warm_waves import (
+    BEYOND,
+    MORE_ERROR,
+    MOST_NEWTONIAN,
+    WarmTransfer,
+    thinner,
+    warmth_of,
+)
 from ehlwave.programs.case_input import case_keys, case_text
 from ehlwave.programs.programs import has_programs
 
@@ -96,9 +103,16 @@ def _warm_computed(asked: Asked) -> Transfer:
         raise RangeError("the central film is given, without the rises of the oil")
     warmth = warmth_of(film, asked.heat, slip)
     thin = thinner(asked.conditions, film.heated.film_factor)
-    doubts = NEWTONIAN if slip != 1 and asked.conditions.oil.name == "Newtonian" else BEYOND
+    is_judged = slip != 1 and asked.conditions.oil.name == "Newtonian"
+    if is_judged and warmth > MOST_NEWTONIAN:
+        raise RangeError(
+            "a Newtonian oil under slip warms so far that its viscosity falls "
+            f"{math.exp(warmth):.3g} times; the law of warm waves holds up to "
+            f"{math.exp(MOST_NEWTONIAN):.2g} times"
+        )
+    doubts = (1.0, 0.0) if is_judged else (BEYOND, MORE_ERROR)
     cold = asked.cold()
-    return WarmTransfer(transfer_for(cold), transfer_for(cold.of(thin)), warmth, doubts, MORE_ERROR)
+    return WarmTransfer(transfer_for(cold), transfer_for(cold.of(thin)), warmth, *doubts)
 
 
 def _computed(asked: Asked) -> Transfer:

@@ -5,7 +5,6 @@ import numpy as np
 from ehlwave.contact.conditions import Conditions
 from ehlwave.errors import RangeError
 from ehlwave.laws.answers import Response
-from ehlwave.laws.standing_waves import answer_of
 from ehlwave.laws.transfer import EXTRAPOLATED, Transfer, Waves
 
 
@@ -39,10 +38,10 @@ def response_of(
     error = transfer.error(qx, qy)
     return Response(
         film=complex(transfer.ratio(qx, qy)[0]),
-        pressure=complex(answer_of(transfer, "pressure", qx, qy)[0]),
+        pressure=complex(transfer.pressure(qx, qy)[0]),
         error=float("nan") if error is None else float(error[0]),
         source=transfer.name,
-        has_phase=getattr(transfer, "has_phase", True),
+        has_phase=transfer.has_phase,
     )
 
 

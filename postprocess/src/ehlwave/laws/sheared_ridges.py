@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.medium import Medium, hertz_medium
-from ehlwave.laws.transfer import Transfer, Waves
+from ehlwave.laws.transfer import OfTwo, Transfer, Waves
 
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
@@ -127,7 +127,7 @@ def _rate(medium: Medium, ky: Floats) -> Floats:
 
 
 @dataclass(frozen=True)
-class ShearedRidges:
+class ShearedRidges(OfTwo):
     """Transfer of ridges along rolling under slip, in an oil that thins.
 
     Attributes
@@ -150,14 +150,9 @@ class ShearedRidges:
         return f"{self.rolling.name}, with the law of ridges under slip"
 
     @property
-    def covers_all(self) -> bool:
-        """Return whether the transfer in rolling covers every component."""
-        return self.rolling.covers_all and self.law.covers_all
-
-    @property
-    def outside_reason(self) -> str:
-        """Return why a component is not covered."""
-        return self.law.outside_reason or self.rolling.outside_reason
+    def parts(self) -> tuple[Transfer, Transfer]:
+        """Return both transfers."""
+        return self.rolling, self.law
 
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
         """Return the transfer for waves per metre along y; those along x are 0."""
@@ -166,14 +161,6 @@ class ShearedRidges:
     def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
         """Return the absolute error of the transfer."""
         return self._found(per_length_x, per_length_y)[1]
-
-    def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
-        """Return None: no law has it."""
-
-    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
-        """Return whether both laws hold."""
-        found = self.rolling.is_covered(per_length_x, per_length_y)
-        return np.asarray(found & self.law.covers_all)
 
     def _found(self, per_length_x: Waves, per_length_y: Waves) -> tuple[Complex, Floats]:
         c = self.conditions

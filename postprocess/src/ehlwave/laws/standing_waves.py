@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.laws.transfer import Transfer, Waves
+from ehlwave.laws.transfer import OfTwo, Transfer, Waves
 
 
 @dataclass(frozen=True)
-class StandingRidges:
+class StandingRidges(OfTwo):
     """A transfer under slip whose ridges along rolling have the transfer of pure rolling.
 
     Stationary patterns make no squeeze, and the flow along rolling of a Newtonian oil depends on
@@ -26,20 +26,9 @@ class StandingRidges:
         return f"{self.moving.name}; ridges along rolling: {self.standing.name}"
 
     @property
-    def covers_all(self) -> bool:
-        """Whether both transfers cover every component."""
-        return self.moving.covers_all and self.standing.covers_all
-
-    @property
-    def outside_reason(self) -> str:
-        """Reason why components are not covered."""
-        found = (self.moving.outside_reason, self.standing.outside_reason)
-        return "; ".join(dict.fromkeys(text for text in found if text))
-
-    @property
-    def has_phase(self) -> bool:
-        """Whether the phases of moving waves are known."""
-        return getattr(self.moving, "has_phase", True)
+    def parts(self) -> tuple[Transfer, Transfer]:
+        """Return both transfers."""
+        return self.moving, self.standing
 
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[Any]:
         """Return the transfer for waves per metre along x (any sign) and y."""
@@ -64,10 +53,10 @@ class StandingRidges:
     def _of_both(self, kind: str, per_length_x: Waves, per_length_y: Waves) -> Any:  # noqa: ANN401
         qx, qy = np.broadcast_arrays(np.asarray(per_length_x), np.asarray(per_length_y))
         stands = (qx == 0) & (qy != 0)
-        moving = None if stands.all() else answer_of(self.moving, kind, qx, qy)
+        moving = None if stands.all() else getattr(self.moving, kind)(qx, qy)
         if not stands.any():
             return moving
-        standing = answer_of(self.standing, kind, qx[stands], qy[stands])
+        standing = getattr(self.standing, kind)(qx[stands], qy[stands])
         if standing is None or (moving is None and not stands.all()):
             return None
         found = np.zeros(qx.shape, np.asarray(standing).dtype)
@@ -75,10 +64,3 @@ class StandingRidges:
             found = np.array(moving, np.result_type(moving, standing))
         found[stands] = standing
         return found
-
-
-def answer_of(transfer: Transfer, kind: str, qx: Waves, qy: Waves) -> Any:  # noqa: ANN401
-    """Return an answer of a transfer for waves of any shape; NaN for pressures it has not."""
-    if kind == "pressure" and not hasattr(transfer, "pressure"):
-        return np.full(np.shape(qx), complex(np.nan, np.nan))
-    return getattr(transfer, kind)(qx, qy)

@@ -18,7 +18,7 @@ from ehlwave.contact.starvation import (
     starved_ratio,
 )
 from ehlwave.errors import RangeError
-from ehlwave.laws.transfer import EXTRAPOLATED, Waves
+from ehlwave.laws.transfer import EXTRAPOLATED, Transfer, Waves
 
 
 def check_starved(conditions: Conditions) -> None:
@@ -36,7 +36,7 @@ def check_starved(conditions: Conditions) -> None:
 
 
 @dataclass(frozen=True)
-class StarvedTransfer:
+class StarvedTransfer(Transfer):
     """Ad/Ai of :func:`ehlwave.contact.starvation.starved_ratio`: real, no phase, pure rolling.
 
     Waves that the law was not fitted to are continued by its form. Their error is as large as the
@@ -64,11 +64,6 @@ class StarvedTransfer:
         return f"law of starved contacts, R = {self.conditions.film_ratio:.3g}"
 
     @property
-    def covers_all(self) -> bool:
-        """The law was fitted to some waves."""
-        return False
-
-    @property
     def outside_reason(self) -> str:
         """Why components are not covered."""
         return f"outside the law of starved contacts ({WAVES_TEXT}){EXTRAPOLATED}"
@@ -80,9 +75,6 @@ class StarvedTransfer:
             c.film_ratio, c.m, c.l, c.gamma, *self._waves(*self._both(per_length_x, per_length_y))
         )
         return np.where(self._is_mean(per_length_x, per_length_y), 0.0, found)
-
-    def rise(self, per_length_x: Waves, per_length_y: Waves) -> None:
-        """Return None: the law does not have it."""
 
     def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
         """Return the error of Ad/Ai, absolute: error of the law, and the continuation."""

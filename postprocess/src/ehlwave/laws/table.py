@@ -11,7 +11,7 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.laws.table_conditions import weighted_conditions
 from ehlwave.laws.table_curves import Chart, Complex, curves_of, rise_curves_of
 from ehlwave.laws.table_read import read_table
-from ehlwave.laws.transfer import Waves, orientation_and_wave
+from ehlwave.laws.transfer import Transfer, Waves, orientation_and_wave
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +31,7 @@ def harmonic_table_of(given: str | Path | pd.DataFrame | HarmonicTable) -> Harmo
     return HarmonicTable(read_table(given), Path(given).name)
 
 
-class TableTransfer:
+class TableTransfer(Transfer):
     """Transfer by interpolation in a harmonic table.
 
     Along each orientation of the table, real and imaginary part are interpolated monotonically
@@ -61,11 +61,6 @@ class TableTransfer:
         waves = sum(curve.log_v.size for curve in curves)
         between = f" between {len(self._charts)} conditions" if len(self._charts) > 1 else ""
         return f"harmonic table {self._name}, {waves} waves{between}"
-
-    @property
-    def covers_all(self) -> bool:
-        """A table ends somewhere."""
-        return False
 
     @property
     def outside_reason(self) -> str:

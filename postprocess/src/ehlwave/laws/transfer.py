@@ -8,7 +8,7 @@ exponential. A transfer is even in qy, and its conjugate at (-qx, -qy): it retur
 
 import math
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,23 +30,37 @@ EXTRAPOLATED = ", extrapolated and included in the error"
 """End of the reason of waves that a law does not cover and nevertheless answers."""
 
 
-class Transfer(Protocol):
-    """Anything that judges harmonic components."""
+class Transfer:
+    """Base of all that judges harmonic components, with the answers of a law that lacks them."""
 
     @property
     def name(self) -> str:
         """Return its description, for reports."""
+        raise NotImplementedError
+
+    @property
+    def has_phase(self) -> bool:
+        """Whether the phases of waves are known."""
+        return True
 
     @property
     def covers_all(self) -> bool:
         """Whether every component shorter than the contact is covered."""
+        return False
 
     @property
     def outside_reason(self) -> str:
         """Why a component shorter than the contact is not covered."""
+        raise NotImplementedError
 
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[Any]:
         """Return the transfer for waves per metre along x (any sign) and y (not negative)."""
+        raise NotImplementedError
+
+    def pressure(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[Any]:
+        """Return the pressure transfer, in units of ph/c; NaN where it is not known."""
+        shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
+        return np.full(shape, complex(np.nan, np.nan))
 
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
         """Return the rise of the mean film by waves, to second order; None if unknown.
@@ -59,6 +73,37 @@ class Transfer(Protocol):
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether the transfer is known there rather than continued."""
+        raise NotImplementedError
+
+
+class OfTwo(Transfer):
+    """Base of laws made of two transfers: both have to cover a component."""
+
+    @property
+    def parts(self) -> tuple[Transfer, Transfer]:
+        """Return both; the first decides whether phases are known."""
+        raise NotImplementedError
+
+    @property
+    def has_phase(self) -> bool:
+        """Whether the phases of waves are known."""
+        return self.parts[0].has_phase
+
+    @property
+    def covers_all(self) -> bool:
+        """Whether both cover every component shorter than the contact."""
+        return all(part.covers_all for part in self.parts)
+
+    @property
+    def outside_reason(self) -> str:
+        """Why a component is not covered."""
+        reasons = (part.outside_reason for part in self.parts)
+        return "; ".join(dict.fromkeys(reason for reason in reasons if reason))
+
+    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
+        """Return whether both transfers are known there."""
+        first, second = (part.is_covered(per_length_x, per_length_y) for part in self.parts)
+        return np.asarray(first & second)
 
 
 def orientation_and_wave(per_length_x: Waves, per_length_y: Waves) -> tuple[Waves, Waves]:
@@ -74,7 +119,7 @@ def orientation_and_wave(per_length_x: Waves, per_length_y: Waves) -> tuple[Wave
         return f_of_r(ratio), 1 / np.maximum(qx, qy)
 
 
-class LawBasis:
+class LawBasis(Transfer):
     """Base of laws, which are linear. They cover all components, or none with a reason."""
 
     conditions: Conditions
@@ -93,9 +138,6 @@ class LawBasis:
         """Return why components are not covered."""
         return "; ".join(self.reasons())
 
-    def rise(self, per_length_x: Waves, per_length_y: Waves) -> None:
-        """Return None: no law has it."""
-
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether the conditions match the law."""
         shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
@@ -112,9 +154,6 @@ class FormulaBasis(LawBasis):
             return [f"slip (S = {slip:g}): the formula is for pure rolling"]
         thins = math.isinf(self.conditions.film_loss)
         return ["of an oil that thins in the inlet: the formula is for Newtonian oils"] * thins
-
-    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
-        """Return None: the error of a formula depends on the contact."""
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,10 @@ RESPONSE_BY_FILM = 0.8
 """Change of a response, units of Ai, over the share of its film that a contact loses by thinning:
 of drawn contacts in pure rolling none has more than 0.7."""
 
+DEVIATIONS = 3.0
+"""Standard deviations between the networks of films that their errors cover at least: at ends of
+the ranges errors that were fitted to the inner contacts are too small."""
+
 
 @dataclass(frozen=True)
 class SmoothFilm:
@@ -155,10 +159,10 @@ class Chart:
     def _film_errors(self) -> Floats:
         """Return the errors of the films; far from the data, where networks differ, they grow."""
         errors = self._networks.film_errors(self._place)[0]
-        deviations = self._networks.kind.deviations
-        if deviations == 0:
-            return errors
-        return np.hypot(errors, deviations * self._networks.films.deviation(self._place)[0])
+        return np.maximum(errors, self._differences())
+
+    def _differences(self) -> Floats:
+        return DEVIATIONS * self._networks.films.deviation(self._place)[0]
 
     def film(self) -> SmoothFilm:
         """Return the smooth films, and the shear stress where the kind of the atlas has it.
@@ -174,7 +178,8 @@ class Chart:
         if self._smallest is not None:
             factor, own = self._smallest
             minimum = factor * min(minimum, central)
-            minimum_error = minimum_error if own is None else central_error + own
+            if own is not None:
+                minimum_error = central_error + max(own, float(self._differences()[1]))
         lowest = minimum * (1 - minimum_error)
         if not 0 < lowest < central * (1 + central_error):
             minimum = minimum_error = math.nan

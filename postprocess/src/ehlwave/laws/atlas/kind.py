@@ -57,8 +57,6 @@ class Kind:
     smallest : callable or None
         Factor of the smallest film of the networks and its relative error, from the keys; an error
         of None leaves the error of the networks.
-    deviations : float
-        Standard deviations between the networks that errors of films contain, in quadrature.
     """
 
     name: str
@@ -70,7 +68,6 @@ class Kind:
     state: Callable[[Keys, Floats, Mapping[str, Floats]], Keys] = _keys_alone
     beyond: Callable[[Mapping[str, float]], str] = _unlimited
     smallest: Callable[[Mapping[str, float]], tuple[float, float | None]] | None = None
-    deviations: float = 0.0
 
     def holds(self, keys: Mapping[str, float]) -> bool:
         """Return whether a contact lies within the ranges, by its keys."""

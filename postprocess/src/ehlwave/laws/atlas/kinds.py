@@ -45,7 +45,6 @@ LINE_SLIDING = Kind(
     line_sliding_references,
     line_sliding_state,
     beyond_sliding_limits,
-    deviations=2.0,
 )
 LINE_NEWTONIAN = Kind(
     "line_newtonian",
