@@ -31,6 +31,9 @@ _STEP = 0.02
 _WAVES = 40
 _THINNEST = 2
 """Smooth film over the boundary film, so that smooth surfaces do not touch."""
+FIRST_THIN, _THICKEST = 1001, 3
+"""First number of rough contacts with thin films, most of which touch; their smooth film over the
+boundary film, at most."""
 _WITHIN = 0.95
 """Share of the films that must be within their error."""
 _TOUCHES = 1e-4
@@ -41,12 +44,14 @@ def draw(number: int) -> tuple[str, Groups, float]:
     """Return the kind of a rolling contact, its groups with waves, and its half width in metres."""
     chance = random.Random(1000 + number)
     is_line = number % 2 == 1
-    film = 0.0
-    while film < _THINNEST * touching.BOUNDARY_M:
+    film, thickest, least_rq = 0.0, math.inf, 0.5
+    if number >= FIRST_THIN:
+        thickest, least_rq = _THICKEST, 1.5
+    while not _THINNEST <= film / touching.BOUNDARY_M <= thickest:
         conditions, width, film = touching.contact(chance, is_line=is_line)
     conditions["slip_parameter"] = 1
     groups = touching.smooth_case(conditions, 192 if is_line else 48, is_line=is_line)
-    rq = film * math.exp(chance.uniform(math.log(0.5), math.log(2)))
+    rq = film * math.exp(chance.uniform(math.log(least_rq), math.log(2)))
     kinds = ["transverse"] if is_line else ["transverse", "isotropic", "longitudinal"]
     orientation = chance.choice(kinds)
     is_pair = chance.random() < 0.4 and is_line
@@ -186,15 +191,18 @@ def main() -> int:
     """Run the marches that the record lacks, compare and draw."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=40, help="contacts (default 40)")
+    parser.add_argument("--thin", type=int, default=20, help="more of thin films (default 20)")
     parser.add_argument("--record", type=Path, required=True, help="lines of JSON; goes on")
     options = parser.parse_args()
     recorded = (row["number"] for row in read_rows(options.record))
-    entries = kept(options.record, sorted({*range(1, options.count + 1), *recorded}), march, 1)
+    drawn = range(1, options.count + 1)
+    thin = range(FIRST_THIN, FIRST_THIN + options.thin)
+    entries = kept(options.record, sorted({*drawn, *thin, *recorded}), march, 1)
     compared = [compare(entry) for entry in entries]
     table = pd.DataFrame(compared)
     Writer(overwrite=True).text(options.record.with_suffix(".csv"), table.to_csv(index=False))
-    drawn = options.record.with_suffix(".png")
-    Writer(overwrite=True).figure(drawn, figure(compared), dpi=150)
+    picture = options.record.with_suffix(".png")
+    Writer(overwrite=True).figure(picture, figure(compared), dpi=150)
     sys.stdout.write(summary(compared))
     ended = [one for one in compared if one.get("by")]
     return int(sum(abs(one["off"]) <= one["error"] for one in ended) < _WITHIN * len(ended))

@@ -87,6 +87,7 @@ contains
          n = findloc(ieee_is_finite(march%meshes%share), .false., 1) - 1
          if (n < 0) n = most_meshes
          result%effects%touching%account%touching_values_t = march%meshes(1)
+         result%effects%touching%account%planned_meshes = size(plans)
          call result%effects%touching%account%estimate(march%meshes(2:n), plan%hx)
          result%friction_error = friction_error(case, plan, march%meshes(:n))
          call take_solution(case, plan, solver, state, result)

@@ -112,7 +112,7 @@ contains
          call invert_fields(self, y, self%column(:, b))
          self%schur(:, b) = merge(1, 0, b == borders .and. .not. self%seeks_speed)*[0, 1] &
                             - border_rows(self, self%column(:, b))
-         call self%deformation%apply_single(self%q, self%deformed(:, :, b))
+         call self%deformation%apply(self%q, self%deformed(:, :, b))
       end do
    end subroutine eliminate_borders
 
@@ -155,7 +155,7 @@ contains
          if (self%is_ahead) then
             self%dh = self%ahead - x(n - 1)
          else
-            call self%deformation%apply_single(self%q, self%dh)
+            call self%deformation%apply(self%q, self%dh)
             self%dh = self%dh - x(n - 1)
          end if
          self%is_ahead = .false.
@@ -234,7 +234,7 @@ contains
       integer :: k
 
       self%q = merge(self%q, 0.0_dp, self%unknowns%is_full .or. self%state%is_touching)
-      call self%deformation%apply_single(self%q, self%dh)
+      call self%deformation%apply(self%q, self%dh)
       self%ahead = self%dh
       self%work = 0
       do k = 1, size(self%unknowns%node, 2)

@@ -1,5 +1,6 @@
 """Surfaces that touch: values of an independent solver, the dry limits, oil that is kept, and cases without touching."""
 
+import csv
 import math
 import unittest
 from pathlib import Path
@@ -15,12 +16,19 @@ except ImportError:
 CONDITIONS = {"radius_x_m": 0.01, "reduced_modulus_pa": 226e9, "load_n_per_m": 100086.1376, "viscosity_pa_s": 0.04}
 OIL = {"pressure_viscosity_per_pa": 2.2e-8, "roelands_index": 0.68, "flow_law": "eyring", "eyring_stress_pa": 10e6}
 FILM_M = 20e-9
-# Share, speed on 384 cells, extrapolated speed and its error, area on 1536 cells, friction of the oil: an independent solver
-# with eps averaged between nodes, at rest.
-SMOOTH = ((0.02, 0.0194676, 0.0185442, 0.1680, 0.08483), (0.5, 0.0180030, 0.0170827, 0.9355, 0.01615),
-          (0.95, 0.0108419, 0.0100393, 0.9922, 0.00015))
-WAVY = ((0.1, 0.0398242, 0.0337454, 0.3379, 0.08320), (0.5, 0.0371782, 0.0311341, 0.7871, 0.02429),
-        (0.9, 0.0278794, 0.0211632, 1.0059, 0.00050))
+REFERENCE = Path(__file__).parent / "reference" / "touching_line.csv"
+
+
+def reference(case, *shares):
+    """Share, speed on 384 cells, extrapolated speed, area on 1536 cells, friction of the oil: an independent solver, eps
+    averaged between nodes, at rest."""
+    with REFERENCE.open(encoding="utf-8") as lines:
+        rows = [row for row in csv.DictReader(lines) if row["case"] == case and float(row["share"]) in shares]
+    return [(float(row["share"]), float(row["u_meshes"].split("/")[0]),
+             *(float(row[name]) for name in ("u_m_s", "area_over_2b", "mu_oil"))) for row in rows]
+
+
+SMOOTH, WAVY = reference("smooth", 0.02, 0.5, 0.95), reference("wavyC", 0.1, 0.5, 0.9)
 WAVE = {"orientation": "transverse", "wavelength_over_a": 0.5, "amplitude_m": 50e-9}
 
 
@@ -159,6 +167,18 @@ class Marches(FolderTest):
         found = contact(192, 0.1, 1, None, WAVE | {"amplitude_m": 0.1e-6})
         self.assertEqual(found["status"], "unresolved")
         self.assertTrue(found["touching_is_artefact"])
+
+    def test_full_film_of_the_finest_mesh(self):
+        """No touching on the finest mesh is no artefact, even where a wider mesh touches; the error has the difference."""
+        found = contact(128, 0.1, 0, None, WAVE | {"wavelength_over_a": 1, "amplitude_m": 0.2e-6})
+        self.assertEqual((found["status"], found["touching_share"], found["touching_is_artefact"]), ("converged", 0, False))
+        self.assertGreater(found["touching_share_error"], 0.1)
+
+    def test_no_wider_mesh(self):
+        """A share without an error, as the march on half the cells fails: the warning has this reason."""
+        found = contact(128, 0.03, 0.25, None, WAVE | {"amplitude_m": 0.2e-6})
+        self.assertIsNone(found["touching_share_error"])
+        self.assertIn("the mesh twice as wide has no solution", found["warning"])
 
     def test_full_film(self):
         """A film that is thick enough is that without touching."""

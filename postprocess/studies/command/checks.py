@@ -6,7 +6,7 @@ import sys
 
 from ehlwave.writing import Writer
 from studies.command import steps
-from studies.command.options import at_once, flag, given, option, study
+from studies.command.options import at_once, choices, flag, given, option, study
 
 
 @study(
@@ -110,27 +110,34 @@ def jacobian(_: argparse.Namespace) -> int:
 @study(
     "touching",
     option("--output", "DIR", "default build/touching"),
-    option("--count", "N", "marches (default 40)", 40),
-    option("--finer", "COUNT", "of them also on twice the cells (default 10)", 10),
+    option("--count", "N", "random marches (default 200)", 200),
     option("--films", "COUNT", "rolling contacts beside predicted mean films (default 40)", 40),
+    choices("--only", ("steady", "marches", "map", "films"), "a part (default: all)"),
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
 )
 def touching(options: argparse.Namespace) -> int:
-    """March random contacts whose surfaces touch.
+    """Compute contacts whose surfaces touch: steady states, random marches, a map, mean films.
 
-    Waves, pairs of waves and measured maps on lines and balls, Rq over film 0.3 to 3, S 0.1 to 1.9,
-    Newtonian and Ree-Eyring oils. Writes marches.jsonl; a run that is there goes on. About half a
-    minute each on one core. Then marches in pure rolling, Rq over film 0.5 to 2, beside the mean
-    films that predictions give without a march: films.jsonl, films.csv and films.png. The last
-    lines count marches that reach the end, films within their error, and touching that is right.
+    steady: speeds, friction and areas of lines beside an independent solver, steady.csv. marches:
+    waves, pairs of waves and maps on lines and balls, Rq over film 0.3 to 3, S 0 to 2, Newtonian
+    and Ree-Eyring oils, marches.jsonl; lines and some balls on twice the cells,
+    marches_finer.jsonl. map: outcomes over speed, wavelength and S, map.jsonl and map.png. films:
+    marches in pure rolling, Rq over film 0.5 to 2, beside the mean films that predictions give
+    without a march, films.jsonl, films.csv and films.png. A run that is there goes on. An hour for
+    the marches on one core, minutes for the others.
 
-    Exit status: 0 at least 95 % reach the end, and 95 % of the films are within their error; 1
-    otherwise; 2 bad usage.
+    Exit status: 0 steady values are within their bounds, at least 95 % of the marches reach the
+    end, all points of the map converge, and 95 % of the films are within their error; 1 otherwise;
+    2 bad usage.
     """
+    parts = {
+        "steady": ("touching_steady", "--record", "steady.csv"),
+        "marches": ("touching", "--count", str(options.count), "--record", "marches.jsonl"),
+        "map": ("touching_map", "--record", "map.jsonl"),
+        "films": ("touching_films", "--count", str(options.films), "--record", "films.jsonl"),
+    }
     folder = options.output or steps.ROOT / "build" / "touching"
     Writer().folder(folder)
     steps.prepare(options.program)
-    words = given(options, "count", "finer")
-    marched = steps.report("touching", *words, "--record", folder / "marches.jsonl")
-    films = ("--count", options.films, "--record", folder / "films.jsonl")
-    return max(marched, steps.report("touching_films", *films))
+    commands = [parts[name] for name in options.only or parts]
+    return max([steps.report(*words[:-1], folder / words[-1]) for words in commands])

@@ -35,6 +35,7 @@ module ehlwave_touching_account_result
       real(dp) :: solid_friction = no_value        !! friction coefficient of the solids
       real(dp) :: mass_error = no_value            !! largest mass residual
       integer :: meshes = 0                        !! that the errors are from
+      integer :: planned_meshes = 0                !! meshes that were computed, with or without a solution
       ! of the steps of a march:
       real(dp), allocatable, dimension(:) :: share_history, area_history, friction_history, mean_film_history
       real(dp), allocatable :: c(:, :), theta(:, :)               !! fields of the last solution
@@ -112,7 +113,8 @@ contains
 
    !> Errors by the mesh: the difference to the mesh twice as wide, or a quarter of the difference before where that
    !> is more;
-   !> of the area a cell at either edge besides. The share is an artefact where it falls each time the mesh is halved.
+   !> of the area a cell at either edge besides. The share is an artefact where it is above 0 and falls each time the
+   !> mesh is halved.
    subroutine estimate(self, levels, hx)
       class(touching_account_t), intent(inout) :: self
       class(touching_values_t), intent(in) :: levels(:)   !! the same on wider meshes, the finest first
@@ -123,7 +125,7 @@ contains
       self%share_error = error_of([self%share, levels%share])
       self%area_error = error_of([self%area, levels%area]) + hx
       self%speed_error = error_of([self%speed, levels%speed])/self%speed
-      if (self%share > notable .or. levels(1)%share > notable) self%is_artefact = self%share < falling*levels(1)%share
+      if (self%share > notable) self%is_artefact = self%share < falling*levels(1)%share
       if (size(levels) > 1) self%is_artefact = self%is_artefact .and. levels(1)%share < levels(2)%share
    end subroutine estimate
 
@@ -141,8 +143,13 @@ contains
       text = ''
       if (self%is_artefact) text = 'the share of the load on the solids, '//to_text(self%share, 2)// &
          ', falls with the mesh size: this touching is an artefact of the mesh, use more cells'
-      if (self%meshes == 1) text = 'no error of touching_share and touching_area, as the mesh cannot be made twice '// &
-         'as wide: use a number of cells that can be halved'
+      if (self%meshes /= 1) return
+      text = 'no error of touching_share and touching_area, as '
+      if (self%planned_meshes > 1) then
+         text = text//'the mesh twice as wide has no solution: use more cells'
+      else
+         text = text//'the mesh cannot be made twice as wide: use a number of cells that can be halved'
+      end if
    end function warning
 
 end module ehlwave_touching_account_result

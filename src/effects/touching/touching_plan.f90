@@ -79,8 +79,8 @@ contains
       else if (case%effects%heat%is_given()) then
          call refuse('&heat is given', 'is isothermal, as the heat of sliding solids is not built: remove &heat')
       else if (case%effects%starvation%is_given() .or. case%effects%starvation%oil_profile /= '') then
-         call refuse('&inlet gives less oil than fills the gap', 'takes flooded inlets: remove oil_over_flooded, '// &
-            'oil_layer_m and oil_profile')
+         call refuse('&inlet gives less oil than fills the gap', 'balances oil from a full gap at the edge '// &
+            'of the domain on: remove oil_over_flooded, oil_layer_m and oil_profile')
       else if (case%is_rough() .and. case%response /= 'transient') then
          call refuse("&waviness response = '"//trim(case%response)//"'", 'is not linear, and periodic states with '// &
             "it are not built: use response = 'transient'")
