@@ -22,6 +22,8 @@ EXTRAS = {
 
 CORE = ("numpy", "scipy", "h5py", "xarray", "h5netcdf", "pandas", "tomli")
 """Packages that are always needed. They are missing where the source is used without pip."""
+PROJECT = Path(__file__).parents[2] / "pyproject.toml"
+"""There in a repository only: an installation has its own advice on missing packages."""
 
 
 def install(extra: str = "") -> str:
@@ -46,7 +48,7 @@ def is_externally_managed() -> bool:
 def advice(error: ModuleNotFoundError) -> str | None:
     """Return the command that installs a missing package; nothing if it is not ours."""
     package = (error.name or "").split(".")[0]
-    if package not in (*EXTRAS, *CORE):
+    if package not in (*EXTRAS, *(CORE if PROJECT.exists() else ())):
         return None
     return f"{package} is missing: {install(EXTRAS.get(package, ''))}"
 
