@@ -136,7 +136,8 @@ def test_nothing_is_extrapolated(keys: dict, asked: dict, said: str) -> None:
 def test_nearly_rigid_contacts_and_impossible_pressures_are_refused() -> None:
     slender = {"load_parameter_m": 15, "lubricant_parameter_l": 5, "radius_ratio_d": 0.02}
     with pytest.raises(ehlwave.RangeError, match="times the Hertz approach"):
-        ehlwave.Contact(**slender).film()
+        ehlwave.Contact(**slender).response(1.0, by="laws")
+    assert "rigid" in ehlwave.Contact(**slender).film().source
     assert ehlwave.Contact(**slender | {"load_parameter_m": 60}).film().central_error > 0
     heavy = {"load_parameter_m": 9000, "lubricant_parameter_l": 20, "radius_ratio_d": 1}
     with pytest.raises(ehlwave.RangeError, match=r"a Hertz pressure of 1[0-9.]+ GPa"):
@@ -165,7 +166,7 @@ def test_advice_keeps_to_films_that_the_atlas_holds() -> None:
     ball = BALL | {"radius_y_m": 12.52e-3 / 0.02, "mean_speed_m_per_s": 8e-3}
     for load, said in ((20000.0, "gives M = 1.56e"), (1.0, "gives a film of 50.8 times")):
         with pytest.raises(ehlwave.RangeError, match=said) as raised:
-            ehlwave.Contact(**ball | {"load_n": load}).film()
+            ehlwave.Contact(**ball | {"load_n": load}).response(1.0, by="laws")
         found = re.search(r"holds ([0-9.e+]+) to ([0-9.e+]+) N", str(raised.value))
         assert found is not None
         for inside in map(float, found.groups()):

@@ -91,12 +91,15 @@ def test_a_material_is_its_constants() -> None:
 def test_what_is_outside_is_said_in_newtons_and_metres_per_second() -> None:
     ball, disc = ehlwave.Body.ball(0.02, material="steel"), ehlwave.Body(material="glass")
 
-    def film(load_n: float, speed: float) -> ehlwave.Film:
+    def contact(load_n: float, speed: float) -> ehlwave.Contact:
         speeds = {"speeds_m_per_s": (speed, speed)}
-        return ehlwave.Contact.from_bodies(ball, disc, load_n=load_n, **speeds, **OIL).film()
+        return ehlwave.Contact.from_bodies(ball, disc, load_n=load_n, **speeds, **OIL)
+
+    def film(load_n: float, speed: float) -> ehlwave.Film:
+        return contact(load_n, speed).film()
 
     with pytest.raises(RangeError) as caught:
-        film(0.2, 0.5)
+        contact(0.2, 0.5).response(1.0, by="laws")
     said = str(caught.value)
     assert said.startswith("load_n = 0.2 gives M = ")
     assert "mean of speeds_m_per_s of" in said

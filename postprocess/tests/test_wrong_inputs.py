@@ -188,7 +188,7 @@ WRONG = [
     value(case, "reduced_modulus_pa", 220, "220e9"),
     Wrong(study, {"load_n": [20, 4e10]}, "load_n = 4e+10", "40000", {"load_n": [20, 40000]}),
     # outside the atlas, in the user's quantities
-    Wrong(film, {"load_n": 0.2}, "load_n = 0.2 gives M = 0.6", "holds {} to", {"load_n": None}),
+    Wrong(film, {"load_n": 0.02}, "load_n = 0.02 gives M = 0.06", "holds {} to", {"load_n": None}),
     Wrong(
         film,
         {"mean_speed_m_per_s": 300, "load_n": 800},
@@ -197,9 +197,9 @@ WRONG = [
         {"mean_speed_m_per_s": None, "load_n": 800},
     ),
     Wrong(
-        film, {"viscosity_pa_s": 0.7, "load_n": 5}, "gives M = ", "holds {} to", {"load_n": None}
+        film, {"viscosity_pa_s": 0.7, "load_n": 0.05}, "gives M = ", "holds {} to", {"load_n": None}
     ),
-    Wrong(balls, {"load_n": 0.2}, "load_n = 0.2 gives M = ", "holds {} to", {"load_n": None}),
+    Wrong(balls, {"load_n": 0.004}, "load_n = 0.004 gives M = ", "holds {} to", {"load_n": None}),
     Wrong(lines, {"load_n": 1.4}, "load_n = 1.4 gives M = ", "holds {} to", {"load_n": None}),
     value(moes, "load_parameter_m", 3, "20", "5 to 100000"),
     value(sliding, "slide_to_roll_ratio", 3, "1", "-2 to 2"),
