@@ -125,8 +125,8 @@ def test_errors_by_mesh_and_domain() -> None:
 
 def test_recorded_contacts_need_no_files(tmp_path: Path) -> None:
     rows = [{"row": {"viscosity_table": "/tmp/table.csv"}}, {"row": {"load_n": 3}}]
-    judged.write_contacts(tmp_path / "contacts.jsonl", rows)
-    assert (tmp_path / "contacts.jsonl").read_text() == '{"row":{"load_n":3}}\n'
+    judged.write_contacts(tmp_path / "contacts.jsonl.gz", rows)
+    assert judged.read_contacts(tmp_path / "contacts.jsonl.gz") == [{"row": {"load_n": 3}}]
 
 
 def test_contacts_of_all_parts_are_kept(tmp_path: Path) -> None:

@@ -9,11 +9,11 @@ from studies.all_keys.table import key_groups
 from studies.calibrate import factors, judged, sample
 from studies.command import checks
 from studies.command.options import step_parser
-from studies.judged.runs import read_rows
 from studies.programs import ROOT
 from studies.sweeps import Row, write_rows
 
 RECORD = ROOT / "postprocess" / "record" / "accuracy"
+CONTACTS = RECORD / "contacts.jsonl.gz"
 
 
 def main() -> int:
@@ -25,7 +25,7 @@ def main() -> int:
     Writer().folder(options.folder)
     known = key_groups()
     if options.what == "extend":
-        recorded = {one["number"] for one in read_rows(RECORD / "contacts.jsonl")}
+        recorded = {one["number"] for one in judged.read_contacts(CONTACTS)}
         part = sample.part_of(options.part)
         sample.extend(options.folder, part, options.contacts, known, recorded)
         return 0
@@ -34,10 +34,10 @@ def main() -> int:
 
 def _judge(options: argparse.Namespace, known: dict[str, str]) -> int:
     """Write contacts, errors, factors and coverage; return 1 where a class is not covered."""
-    contacts = {one["number"]: one for one in read_rows(RECORD / "contacts.jsonl")}
+    contacts = {one["number"]: one for one in judged.read_contacts(CONTACTS)}
     fresh = (judged.distilled(one) for one in sample.kept(options.folder))
     contacts |= {one["number"]: one for one in fresh if one is not None}
-    judged.write_contacts(RECORD / "contacts.jsonl", contacts.values())
+    judged.write_contacts(CONTACTS, contacts.values())
     table = factors.read_table()
     rows: list[Row] = []
     for contact in contacts.values():

@@ -1,5 +1,6 @@
 """Errors of numbers against the truths of the sample, beside their declared errors."""
 
+import gzip
 import json
 import math
 from collections.abc import Iterable, Iterator
@@ -123,10 +124,16 @@ def _errors(contact: Row, found: Row, table: dict[str, float]) -> Iterator[Row]:
 
 
 def write_contacts(path: Path, contacts: Iterable[Row]) -> None:
-    """Write the contacts of a record, without those that need files."""
+    """Write the contacts of a record, compressed, without those that need files."""
     whole = (one for one in contacts if not any("/" in str(key) for key in one["row"].values()))
     lines = [json.dumps(contact, separators=(",", ":")) for contact in whole]
-    Writer(overwrite=True).text(path, "\n".join(lines) + "\n")
+    text = "\n".join(lines) + "\n"
+    Writer(overwrite=True).data(path, gzip.compress(text.encode(), mtime=0))
+
+
+def read_contacts(path: Path) -> list[Row]:
+    """Return the contacts of a record."""
+    return [json.loads(line) for line in gzip.decompress(path.read_bytes()).splitlines()]
 
 
 def _number(found: Row, names: tuple[str, ...]) -> complex:
