@@ -225,7 +225,7 @@ def test_short_waves_of_starved_contacts_are_computed(monkeypatch: pytest.Monkey
     fine = {"response": "harmonic", "cells_x": 640, "cells_y": 64, "mean_rise": False}
     row = run_case(case_keys(c) | wave | fine)
     true = complex(row["harmonic_extrapolated_real"], row["harmonic_extrapolated_imaginary"])
-    assert abs(found.film - true) < found.error < 0.05
+    assert abs(found.film - true) < found.error < 0.06
 
 
 def test_changes_of_marches_are_added_and_continued() -> None:
@@ -289,7 +289,7 @@ def test_warm_contacts_have_marches_that_carry_temperatures(
     ).run()
     size, phase = float(march["amplitude_ratio_fit"]), float(march["phase_fit"])
     true = size * np.exp(1j * phase)
-    assert abs(found.film - true) < found.error < 0.05
+    assert abs(found.film - true) < found.error < 0.06
     rows = ComputedRows(contact.conditions, HEAT, None).linear(np.array([0.7]), 0.0)
     assert abs(film_of(rows[0]) - true) > 2 * found.error
 

@@ -11,6 +11,7 @@ from ehlwave_program import TestCase, report, solve
 
 RECORD = Path(__file__).resolve().parents[2] / "postprocess" / "record" / "error-vs-time" / "estimates.csv"
 FACTOR = 3
+LEAST, MOST = 1/1.5, 3.5   # of declared errors over errors: 99 % of a sample are above 1
 # Errors below this are close to the errors of the references and of the default step tolerance.
 SMALLEST_ERROR = 1e-3
 ESTIMATES = {"central_film": "central_film_error", "minimum_film": "minimum_film_error",
@@ -51,7 +52,8 @@ class ErrorEstimates(TestCase):
                 for what, ratio in ratios.items():
                     compared[what].append(ratio)
                     with self.subTest(contact=contact, cells=cells, quantity=quantity, what=what):
-                        self.assertTrue(1/FACTOR <= ratio <= FACTOR, f"{ratio:.2f} times the error {error:.1e}")
+                        least, most = (LEAST, MOST) if what == "estimated" else (1/FACTOR, FACTOR)
+                        self.assertTrue(least <= ratio <= most, f"{ratio:.2f} times the error {error:.1e}")
         for what, ratios in compared.items():
             self.assertGreaterEqual(len(ratios), 14)
             report(f"{what} error over error: {min(ratios):.2f} to {max(ratios):.2f} in {len(ratios)} results")
