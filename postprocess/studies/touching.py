@@ -58,15 +58,11 @@ def contact(chance: random.Random, *, is_line: bool) -> tuple[dict[str, Any], fl
     if is_line:
         width = 4 * hertz * RADIUS_M / MODULUS_PA
         load = math.pi * hertz * width / 2
-        film = (
-            2.65 * RADIUS_M * (u / 2) ** 0.7 * g**0.54 / (load / (MODULUS_PA * RADIUS_M)) ** 0.13
-        )
+        film = 2.65 * RADIUS_M * (u / 2) ** 0.7 * g**0.54 / (load / (MODULUS_PA * RADIUS_M)) ** 0.13
         return conditions | {"load_n_per_m": load}, width, film
     width = math.pi * hertz * RADIUS_M / MODULUS_PA
     load = 2 * math.pi * hertz * width**2 / 3
-    film = (
-        1.9 * RADIUS_M * (u / 2) ** 0.67 * g**0.53 / (load / (MODULUS_PA * RADIUS_M**2)) ** 0.067
-    )
+    film = 1.9 * RADIUS_M * (u / 2) ** 0.67 * g**0.53 / (load / (MODULUS_PA * RADIUS_M**2)) ** 0.067
     return conditions | {"load_n": load, "radius_y_m": RADIUS_M}, width, film
 
 

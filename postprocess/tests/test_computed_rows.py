@@ -183,8 +183,9 @@ def test_one_central_film_on_one_object() -> None:
 
 
 def test_the_program_warns_of_every_large_error() -> None:
-    """A 6208 at a loose accuracy has no useful smallest film."""
-    found = run_case(case_keys(ehlwave.Contact(**RACE).conditions) | {"accuracy": 0.02})
+    """A loaded 6208 (M = 9,000) at a loose accuracy has no useful smallest film."""
+    race = ehlwave.Contact(**RACE | {"load_parameter_m": 9000})
+    found = run_case(case_keys(race.conditions) | {"accuracy": 0.02})
     assert found["status"] == "converged"
     assert found["minimum_film_error"] > 0.3
     assert "smallest H within" in found["warning"]

@@ -42,7 +42,7 @@ contains
       type(case_result_t) :: results(3)
       integer :: factor, n
 
-      factor = merge(32, 64, contact(3) > 0)
+      factor = merge(48, 64, contact(3) > 0)
       do n = 1, 3
          call run(contact, scheme, factor*2**(n - 1), results(n))
       end do
