@@ -89,11 +89,6 @@ def run(
     Raises subprocess.TimeoutExpired if it takes longer than `seconds`; it has been stopped then;
     OSError if there is no such program.
     """
-
-    def limit() -> None:
-        if processor_s is not None:
-            resource.setrlimit(resource.RLIMIT_CPU, (processor_s, processor_s + 1))
-
     command = [str(program(name)), *map(str, arguments)]
     if ranks:
         command = [*mpi_command(ranks), *command]
@@ -105,8 +100,12 @@ def run(
         text=True,
         check=False,
         timeout=seconds,
-        preexec_fn=limit,
+        preexec_fn=None if processor_s is None else lambda: _limit_processor(processor_s),
     )
+
+
+def _limit_processor(seconds: int) -> None:
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
 
 
 def run_case(groups: Groups, *options: str) -> Outcome:

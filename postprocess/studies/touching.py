@@ -138,10 +138,10 @@ def draw(number: int, folder: Path) -> tuple[str, Groups]:
     return f"{'line' if is_line else 'ball'} {kind}, Rq/film {rq / film:.2f}", groups
 
 
-def _has_finer(number: int) -> bool:
+def _has_finer(entry: dict[str, Any]) -> bool:
     """Return whether a march is also computed on twice the cells."""
-    is_line = random.Random(number).random() < 0.5
-    return is_line or number % _FINER_BALLS == 0
+    is_line: bool = entry["kind"].startswith("line")
+    return entry["status"] == "converged" and (is_line or entry["number"] % _FINER_BALLS == 0)
 
 
 def solve(groups: Groups, folder: Path) -> dict[str, Any]:
@@ -209,11 +209,7 @@ def main() -> int:
     )
     options = parser.parse_args()
     marches = kept(options.record, range(1, options.count + 1), lambda n, _: run_one(n), 1)
-    numbers = [
-        entry["number"]
-        for entry in marches
-        if entry["status"] == "converged" and _has_finer(entry["number"])
-    ]
+    numbers = [entry["number"] for entry in marches if _has_finer(entry)]
     record = options.record.with_stem(options.record.stem + "_finer")
     finer = kept(record, numbers, lambda n, _: run_one(n, is_finer=True), 1)
     sys.stdout.write(summary(marches, finer) + "\n")

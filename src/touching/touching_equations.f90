@@ -18,6 +18,7 @@ module ehlwave_touching_equations
    use ehlwave_touching_state, only: touching_law_t, touching_state_t
    implicit none (type, external)
    private
+   public :: link_row
 
    !> Nodes that enter the residual of a node: itself, east, west, north, south, and the second upstream.
    integer, parameter, public :: links = flow_links + 1
@@ -55,6 +56,13 @@ module ehlwave_touching_equations
    end type touching_equations_t
 
 contains
+
+   !> Row of the node that a link leads to from row j; a half domain is mirrored, and a line has a single row.
+   elemental integer function link_row(j, l, is_line) result(row)
+      integer, intent(in) :: j, l          !! row; link
+      logical, intent(in) :: is_line
+      row = merge(j, abs(j + link_j(l)), is_line)
+   end function link_row
 
    !> Work space for a problem.
    subroutine init(self, problem)

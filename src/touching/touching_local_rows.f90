@@ -3,7 +3,7 @@ module ehlwave_touching_local_rows
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_near_kernel, only: near_kernel_t
-   use ehlwave_touching_equations, only: link_i, link_j, links, touching_equations_t
+   use ehlwave_touching_equations, only: link_i, link_row, links, touching_equations_t
    use ehlwave_touching_state, only: touching_law_t, touching_state_t
    implicit none (type, external)
    private
@@ -30,8 +30,7 @@ contains
          if (m < 0) cycle
          do row = 1, size(by_p, 1)
             j = row - 1 + grid%first_row
-            n = abs(j + link_j(l))
-            if (grid%is_line) n = j
+            n = link_row(j, l, grid%is_line)
             if (state%is_touching(i, j)) then
                if (l > 1) cycle
                by_h(row, 1) = 1

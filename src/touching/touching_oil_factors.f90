@@ -3,7 +3,7 @@ module ehlwave_touching_oil_factors
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_node_factors, only: node_factors_t
-   use ehlwave_touching_equations, only: link_i, link_j, links, touching_equations_t
+   use ehlwave_touching_equations, only: link_i, link_j, link_row, links, touching_equations_t
    use ehlwave_touching_state, only: touching_state_t
    implicit none (type, external)
    private
@@ -54,8 +54,7 @@ contains
          do i = 1, grid%nx - 1
             if (.not. state%is_touching(i, j) .or. state%is_cavitated(i, j)) cycle
             do l = 1, links
-               n = abs(j + link_j(l))
-               if (grid%is_line) n = j
+               n = link_row(j, l, grid%is_line)
                if (i + link_i(l) < 0) cycle
                if (state%is_touching(i + link_i(l), n) .or. state%is_cavitated(i + link_i(l), n)) cycle
                self%follows(i, j) = self%follows(i, j) - equations%by_p(i, j, l)
@@ -84,8 +83,7 @@ contains
             cycle
          end if
          do l = 1, links
-            n = abs(j + link_j(l))
-            if (grid%is_line) n = j
+            n = link_row(j, l, grid%is_line)
             if (i + link_i(l) < 1 .or. i + link_i(l) > grid%nx - 1) cycle
             if (n > grid%last_row .or. n < grid%first_row) cycle
             if (.not. state%is_touching(i + link_i(l), n) .or. state%is_cavitated(i + link_i(l), n)) cycle

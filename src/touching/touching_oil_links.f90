@@ -1,7 +1,7 @@
 !> Terms of the oil's residuals where solids bear that depend on changes elsewhere, and their transposes.
 module ehlwave_touching_oil_links
    use ehlwave_kinds, only: dp
-   use ehlwave_touching_equations, only: link_i, link_j, links, touching_equations_t
+   use ehlwave_touching_equations, only: link_i, link_row, links, touching_equations_t
    use ehlwave_touching_unknowns, only: touching_unknowns_t
    implicit none (type, external)
    private
@@ -22,8 +22,7 @@ contains
          associate (i => unknowns%node(1, k), j => unknowns%node(2, k))
             do l = 1, links
                m = i + link_i(l)
-               n = abs(j + link_j(l))
-               if (is_line) n = j
+               n = link_row(j, l, is_line)
                if (m < 0) cycle
                if (unknowns%is_free(m, n)) r(i, j) = r(i, j) - equations%by_h(i, j, l)*dh(m, n)
                if (unknowns%is_full(m, n)) r(i, j) = r(i, j) - equations%by_p(i, j, l)*u(m, n)
@@ -47,8 +46,7 @@ contains
          associate (i => unknowns%node(1, k), j => unknowns%node(2, k))
             do l = 1, links
                m = i + link_i(l)
-               n = abs(j + link_j(l))
-               if (is_line) n = j
+               n = link_row(j, l, is_line)
                if (m < 0) cycle
                if (unknowns%is_free(m, n)) dh(m, n) = dh(m, n) - equations%by_h(i, j, l)*r(i, j)
                if (unknowns%is_full(m, n)) u(m, n) = u(m, n) - equations%by_p(i, j, l)*r(i, j)

@@ -168,6 +168,7 @@ def write_table(found: dict[str, float], contacts: int, path: Path = TABLE) -> N
         ]
         shape = f"{count}, {len(lines)}" if len(lines) > 1 else f"{len(names)}"
         start, end = ("reshape([", f"], [{shape}])") if len(lines) > 1 else ("[", "]")
+        text += f"\n   !> {MEANINGS[name]}\n"
         text += f"   real(dp), parameter, public :: {name}({shape}) = {start} &\n      "
         text += ", &\n      ".join(lines) + f"{end}\n"
     Writer(overwrite=True).text(path, text + "\nend module ehlwave_error_factors\n")
@@ -179,6 +180,12 @@ TABLES = {
     "by_domain": [key(q, DOMAIN, DOMAIN) for q in QUANTITIES if q != "amplitude_ratio"],
 }
 """Tables of the Fortran module, and the factors in each."""
+MEANINGS = {
+    "by_grids": "With a coarser grid: (quantity, kind), kinds of `kind_of`.",
+    "by_model": "By the model alone, likewise.",
+    "by_domain": "By the edges of a flooded domain: (quantity), times the error of "
+    "`ehlwave_domain_choice`.",
+}
 
 HEAD = """\
 !> Factors of declared errors. Written by `scripts/study accuracy --calibrate`: do not edit.
@@ -192,7 +199,4 @@ module ehlwave_error_factors
 
    integer, parameter, public :: central_film = 1, smallest_film = 2, friction = 3, &
                                  rolling = 4, response = 5, amplitude_ratio = 6
-
-   !> With a coarser grid, and by the model alone: (quantity, kind), kinds of `kind_of`.
-   !> By the edges of a flooded domain: (quantity), times the error of `ehlwave_domain_choice`.
 """

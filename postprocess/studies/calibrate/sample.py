@@ -2,8 +2,6 @@
 
 import json
 import os
-import resource
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -48,17 +46,10 @@ def solved(name: str, row: Row, known: dict[str, str], folder: Path) -> Row | No
     groups: dict[str, dict[str, Any]] = {}
     for key, value in row.items():
         groups.setdefault(known[key], {})[key] = value
+    groups.setdefault("solver", {})["threads"] = 1
     path = folder / "case.nml"
     keep_own_file(path, programs.namelist(groups).encode())
-    limits = (SECONDS[name], SECONDS[name] + 1)
-    outcome = subprocess.run(
-        [programs.program("case"), path, "--json", "--quiet"],
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, limits),
-        env={**os.environ, "OMP_NUM_THREADS": "1"},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    outcome = programs.run("case", path, "--json", "--quiet", processor_s=SECONDS[name])
     if outcome.returncode not in (0, 1):
         return None
     found: Row = programs.last_line(outcome)

@@ -129,9 +129,10 @@ def computed(path: Path, count: int, at_once: int) -> list[Row]:
 
 def _newtonian() -> list[int]:
     """Return numbers of sliding contacts of Newtonian oils, lines and points in turn."""
-    slide = [number for number in NUMBERS if drawn(number)["slip_parameter"] != 1]
-    lines = [number for number in slide if "load_n_per_m" in drawn(number)]
-    points = [number for number in slide if number not in lines]
+    rows = {number: drawn(number) for number in NUMBERS}
+    slide = [number for number, row in rows.items() if row["slip_parameter"] != 1]
+    lines = [number for number in slide if "load_n_per_m" in rows[number]]
+    points = [number for number in slide if "load_n_per_m" not in rows[number]]
     pairs = zip(lines, points, strict=False)
     return [number for pair in pairs for number in pair][:TAKEN]
 

@@ -4,11 +4,10 @@ import re
 from collections.abc import Iterable
 from typing import Any
 
-from ehlwave.quantities import unit_of
+from ehlwave.quantities import ZERO_CELSIUS_K, unit_of
 
 NUMBER = r"[-+]?\d+(?:\.\d*)?(?:e[-+]?\d+)?"
 SPAN = rf"({NUMBER})(?: to ({NUMBER}))?(?![\d.])"
-ZERO_CELSIUS_K = 273.15
 
 
 def in_units(message: str, shown: Iterable[Any]) -> str:

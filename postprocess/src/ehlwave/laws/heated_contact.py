@@ -65,12 +65,9 @@ def heated(
     RangeError
         If the contact lies outside the contacts that the laws were fitted to.
     """
-    _check(conditions, heat, film_m, eyring_stress_pa)
-    return warmed(conditions, heat, film_m, eyring_stress_pa, _rolls_rigid(conditions))
-
-
-def _rolls_rigid(conditions: Conditions) -> bool:
-    return conditions.slip_parameter == 1 and not conditions.is_line and is_rigid(conditions)
+    is_ball = conditions.slip_parameter == 1 and not conditions.is_line and is_rigid(conditions)
+    _check(conditions, heat, film_m, eyring_stress_pa, is_ball)
+    return warmed(conditions, heat, film_m, eyring_stress_pa, is_ball)
 
 
 def check_heat(conditions: Conditions, heat: Heat) -> None:
@@ -89,8 +86,10 @@ def check_heat(conditions: Conditions, heat: Heat) -> None:
         )
 
 
-def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float | None) -> None:
-    """Refuse contacts outside the fit."""
+def _check(
+    conditions: Conditions, heat: Heat, film_m: float, stress_pa: float | None, is_ball: bool
+) -> None:
+    """Refuse contacts outside the fit; `is_ball`: an ellipse that rolls and hardly deforms."""
     oil = conditions.oil
     values = {
         "load_parameter_m": [conditions.m],
@@ -108,7 +107,7 @@ def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float |
     rolls = conditions.slip_parameter == 1
     if conditions.is_line:
         ranges = LINE_ROLLING_RANGES if rolls else LINE_RANGES
-    elif _rolls_rigid(conditions):
+    elif is_ball:
         ranges = RIGID_RANGES
     else:
         ranges = ROLLING_RANGES if rolls else POINT_RANGES
