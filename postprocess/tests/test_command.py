@@ -190,6 +190,18 @@ def test_exit_statuses(
     assert status == expected
 
 
+WITH_FOLDER = [
+    name for name, study in STUDIES.items() if "--output" in {one for one, _ in study.options}
+]
+
+
+@pytest.mark.parametrize("name", WITH_FOLDER)
+def test_every_study_starts(started: Started, tmp_path: Path, name: str) -> None:
+    (tmp_path / "ehlwave-sweep").touch(0o755)
+    os.environ["EHLWAVE_PROGRAMS"] = str(tmp_path)
+    assert started(name, says="name\n")[0] in (0, 1)
+
+
 def test_a_batch_of_the_atlas_that_was_chosen_stays(started: Started, tmp_path: Path) -> None:
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "sliding-00.nml").touch()

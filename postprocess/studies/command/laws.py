@@ -165,7 +165,11 @@ def judged(options: argparse.Namespace) -> int:
     return steps.report("judged", *words, *(("--write",) if options.write else ()))
 
 
-@study("answered", output("answered"))
+@study(
+    "answered",
+    output("answered"),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
 def answered(options: argparse.Namespace) -> int:
     """Measure how long 24 contacts take, half of them hot or starved.
 
