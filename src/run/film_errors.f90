@@ -9,7 +9,7 @@ module ehlwave_film_errors
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: hierarchy_t, level_t
    use ehlwave_kinds, only: dp, no_value
-   use ehlwave_mesh_errors, only: kind_of, mesh_error, mesh_error_t, observed_order
+   use ehlwave_mesh_errors, only: kind_of, least_error, mesh_error, mesh_error_t, observed_order
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_shear_stress, only: friction_at, friction_outside
    implicit none (type, external)
@@ -34,6 +34,7 @@ contains
       type(mesh_error_t) :: central, smallest
       real(dp) :: order                              ! of errors by the mesh
       real(dp) :: steeper                            ! inlet, over the inlet without effects
+      real(dp) :: kink                               ! part of the expected error of the smallest film
       logical :: has_coarse                          ! a coarser grid has a solution
       integer :: kind, n
 
@@ -45,12 +46,14 @@ contains
                  + light_film_error(result%central_film)*plan%hx**2)
          central = mesh_error(central_film, kind, levels%central_film, expected, order)
          has_coarse = central%basis == 'coarse_grid'
-         smallest = mesh_error(smallest_film, kind, levels%minimum_film, expected + merge( &
-                               between_nodes(levels(1)%problem%grid, levels(1)%state%h), 0.0_dp, has_coarse), order)
+         kink = between_nodes(levels(1)%problem%grid, levels(1)%state%h)
+         smallest = mesh_error(smallest_film, kind, levels%minimum_film, &
+                               expected + merge(kink, 0.0_dp, plan%is_fitted .and. .not. has_coarse), order)
          result%central_film_error = central%relative
          result%film_error_basis = central%basis
          result%film_order = observed_order(levels%central_film)
-         result%minimum_film_error = smallest%relative
+         ! coarser grids that miss a narrow constriction agree by chance, and so does one that has none of them
+         result%minimum_film_error = max(smallest%relative, least_error(smallest_film, kind, kink))
          if (ieee_is_finite(result%shear%friction_coefficient)) &
             call estimate_friction(plan, levels, steeper, tolerance, result)
          call result%rolling%estimate(kind, expected + merge(rolling_by_meniscus*plan%hx, 0.0_dp, order < 2 .and. &
@@ -120,9 +123,8 @@ contains
       end if
    end subroutine estimate_friction
 
-   !> Part of the expected error of the smallest film: by how much a film of the fitted scheme may be thinner between
-   !> the nodes than at the thinnest node, over the film there. A kink is by half of its second difference along X and
-   !> Y. Grids may agree by chance where each has a node in the kink.
+   !> Part of the expected error of the smallest film: by how much the film may be thinner between the nodes than at the
+   !> thinnest node, over the film there. A kink is by half of its second difference along X and Y.
    pure real(dp) function between_nodes(grid, h)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: h(0:, 0:)   !! H, (0:nx, 0:ny)
@@ -130,8 +132,6 @@ contains
       real(dp) :: thinnest
       integer :: i, j
 
-      between_nodes = 0
-      if (.not. grid%is_fitted) return
       thinnest = minval(h)
       do j = grid%first_row, grid%last_row
          do i = 1, grid%nx - 1

@@ -183,7 +183,7 @@ def _change(row: Result) -> Result:
         f"harmonic_{part}": value - float(row.get(f"harmonic_{part}") or math.nan)
         for part, value in parts.items()
     }
-    return row | change | {"error_estimate": CHANGE_ERROR, "domain_error": 0.0} | _NO_LIMIT
+    return row | change | {"error_estimate": CHANGE_ERROR} | _NO_LIMIT
 
 
 _NO_LIMIT = dict.fromkeys(

@@ -28,9 +28,6 @@ MOST = 50
 """Waves along one direction."""
 AMPLITUDE = 0.2
 """Ai over the film of the computed waves: only the rise of the mean film depends on it."""
-DOMAIN_FACTOR = 3.5
-"""Domain errors of the program that count besides: its model is for films. Long waves (3.4 a, M =
-26, D = 0.2) change by 4.4 times as much as the inlet edge moves from X = -2.5 to -10."""
 HALVED = 4.0
 """Divisor of the error found half-way, for the interpolation through all waves. A cubic gains 16
 where responses are smooth."""
@@ -180,9 +177,8 @@ def _float(row: Result, key: str) -> float:
 
 
 def error_of(row: Result) -> float:
-    """Return the error of a response, absolute: the program's, with more of its domain error."""
-    domain = np.nan_to_num(_float(row, "domain_error"))
-    return (_float(row, "error_estimate") + DOMAIN_FACTOR * domain) * abs(film_of(row))
+    """Return the error of a response by the program, absolute."""
+    return _float(row, "error_estimate") * abs(film_of(row))
 
 
 def _between(log: Waves, rows: Sequence[Result], base: Base, at: Waves) -> Complex:

@@ -28,7 +28,7 @@ UNFINISHED = ("pending", "over_budget", "crashed", "interrupted")
 
 WAVE_COLUMNS = (
     *("status", "message", "is_resolved", "harmonic_real", "harmonic_imaginary", "harmonic_error"),
-    *("harmonic_extrapolated_real", "harmonic_extrapolated_imaginary", "domain_error"),
+    *("harmonic_extrapolated_real", "harmonic_extrapolated_imaginary"),
     *("harmonic_pressure_extrapolated_real", "harmonic_pressure_extrapolated_imaginary"),
     *("harmonic_pressure_real", "harmonic_pressure_imaginary", "error_estimate", "seconds"),
     *(

@@ -151,18 +151,10 @@ class Chart:
         base, ratios = self._references, np.exp(self.film_numbers)
         return float(base[0] * ratios[0]), float(base[1] * ratios[0] * ratios[1])
 
-    def smallest_of_networks(self) -> tuple[float, float]:
-        """Return the uncorrected smallest film, not above the central film, and its error."""
-        errors = self._film_errors()
-        return min(self.computed_films()), float(errors[:2].sum()) + self.film_loss
-
     def _film_errors(self) -> Floats:
         """Return the errors of the films; far from the data, where networks differ, they grow."""
         errors = self._networks.film_errors(self._place)[0]
-        return np.maximum(errors, self._differences())
-
-    def _differences(self) -> Floats:
-        return DEVIATIONS * self._networks.films.deviation(self._place)[0]
+        return np.maximum(errors, DEVIATIONS * self._networks.films.deviation(self._place)[0])
 
     def film(self) -> SmoothFilm:
         """Return the smooth films, and the shear stress where the kind of the atlas has it.
@@ -176,10 +168,8 @@ class Chart:
         central_error = float(errors[0]) + self.film_loss
         minimum_error = float(errors[:2].sum()) + self.film_loss
         if self._smallest is not None:
-            factor, own = self._smallest
-            minimum = factor * min(minimum, central)
-            if own is not None:
-                minimum_error = central_error + max(own, float(self._differences()[1]))
+            ratio, own = self._smallest
+            minimum, minimum_error = ratio * central, central_error + own
         lowest = minimum * (1 - minimum_error)
         if not 0 < lowest < central * (1 + central_error):
             minimum = minimum_error = math.nan

@@ -1,9 +1,8 @@
-"""Correction of the smallest films of the wide atlas of contacts that roll.
+"""Smallest over central film of contacts that roll, of the wide atlas.
 
-The grids of that atlas resolve central films; the constriction beside them is narrower, and its
-film comes out too thick. ln of the right film over the film of the atlas is a cubic polynomial in
-ln(M/1000), ln(L/10) and ln(D/0.1), fitted to computed contacts on finer grids by
-``scripts/study judged``, which writes ``constriction.json``.
+The grids of that atlas resolve central films, but not the narrow constriction beside the centre of
+heavy contacts. ln of the ratio is a polynomial in ln(M/1000), ln(L/10) and ln(D/0.1), fitted to
+contacts computed on finer grids by ``scripts/study judged``, which writes ``constriction.json``.
 """
 
 import json
@@ -22,7 +21,7 @@ Floats = NDArray[np.float64]
 
 CENTRE = (1000.0, 10.0, 0.1)
 """M, L and D of which the logarithms count."""
-DEGREE = 3
+DEGREE = 4
 LARGEST_M = 12000.0
 """Largest M of the computed contacts."""
 
@@ -47,25 +46,26 @@ def terms(m: ArrayLike, l: ArrayLike, d: ArrayLike) -> Floats:  # noqa: E741 - t
     return np.stack(powers, axis=1)
 
 
-def constriction(m: float, l: float, d: float) -> tuple[float, float | None]:  # noqa: E741
-    """Return the factor of the smallest film of the wide atlas, and its relative error.
+def constriction(m: float, l: float, d: float) -> tuple[float, float]:  # noqa: E741
+    """Return the smallest over the central film, and its relative error.
 
     Values of the polynomial are held within the computed range. Beyond the loads that grids resolve
-    the factor is constant, and the error None: the atlas error applies.
+    both are NaN.
 
     Examples
     --------
     >>> from ehlwave.laws.atlas.constriction import constriction
-    >>> factor, error = constriction(7902, 13.2, 0.031)
-    >>> print(f"{factor:.2f} within {error:.0%}")
-    0.92 within 3%
+    >>> ratio, error = constriction(7902, 13.2, 0.031)
+    >>> print(f"{ratio:.2f} within {error:.0%}")
+    0.91 within 5%
     """
+    if m > LARGEST_M:
+        return math.nan, math.nan
     found = fitted()
-    value = float((terms(min(m, LARGEST_M), l, d) @ np.asarray(found["coefficients"]))[0])
-    factor = math.exp(min(max(value, found["low"][0]), found["high"][0]))
-    return factor, found["error"][0] if m <= LARGEST_M else None
+    value = float((terms(m, l, d) @ np.asarray(found["coefficients"]))[0])
+    return math.exp(min(max(value, found["low"][0]), found["high"][0])), found["error"][0]
 
 
-def constriction_of(keys: Mapping[str, float]) -> tuple[float, float | None]:
+def constriction_of(keys: Mapping[str, float]) -> tuple[float, float]:
     """Return the same by the keys of a contact."""
     return constriction(*(keys[key] for key in MOES_KEYS))
