@@ -136,7 +136,8 @@ contains
          if (present(delta_weight)) c(linear%n) = c(linear%n) + delta_weight
          linear%is_transposed = .true.
          if (present(systems)) then
-            call systems%solve(linear, levels, c, tolerance, largest, adjoint%vector, adjoint%status, adjoint%linear_steps)
+            call systems%solve(linear, levels, c, tolerance, largest, adjoint%vector, adjoint%status, &
+                               adjoint%linear_steps)
          else
             call find(self, c, tolerance, adjoint%vector, adjoint%status, adjoint%linear_steps)
          end if

@@ -1,5 +1,5 @@
-!> Linear systems of successive time steps, each with a few right sides. Solutions before give the first guess, and factors
-!> are kept while they save work.
+!> Linear systems of successive time steps, each with a few right sides. Earlier solutions give the first guess, and
+!> factors are kept while they save work.
 module ehlwave_step_systems
    use ehlwave_cycle_settings, only: diagonal_shift
    use ehlwave_hierarchy, only: level_t, work_of
@@ -93,7 +93,8 @@ contains
       allocate (image, y, mold=b)
       matrix = matmul(transpose(self%right(:, :self%known)), self%right(:, :self%known))
       do used = self%known, 1, -1
-         call solve_small(matrix(:used, :used), matmul(rest, self%right(:, :used)), least_pivot, share(:used), is_solved)
+         call solve_small(matrix(:used, :used), matmul(rest, self%right(:, :used)), least_pivot, &
+                          share(:used), is_solved)
          if (is_solved) exit
       end do
       if (used == 0) return
