@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ehlwave.identify.fit import Identified
+from ehlwave.identify.identified import Identified
 from ehlwave.identify.measurements import RESULTS, TEMPERATURE
 from ehlwave.quantities import ZERO_CELSIUS_K
 
