@@ -335,7 +335,7 @@ def test_wrong_bearings_are_refused_by_name(changed: dict[str, object], said: st
 
 
 def test_no_load_is_refused() -> None:
-    with pytest.raises(ehlwave.SurfaceError, match="radial_load_n is missing"):
+    with pytest.raises(ehlwave.SurfaceError, match=r"radial_load_n = 0\.0 must be above 0"):
         example().contacts(inner_speed_rpm=3000, oil=OIL)
 
 

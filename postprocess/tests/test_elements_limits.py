@@ -7,9 +7,17 @@ import pytest
 from scipy.optimize import fsolve
 
 import ehlwave
-from ehlwave.elements import CamFollower, DeepGrooveBallBearing, TwoDisc, case_table
+from ehlwave.elements import (
+    CamFollower,
+    CylindricalRollerBearing,
+    DeepGrooveBallBearing,
+    SpurGearPair,
+    TwoDisc,
+    case_table,
+)
 from ehlwave.elements.load_zone import EDGE
 from ehlwave.elements.place import ElementContact
+from ehlwave.errors import SurfaceError
 
 OIL = ehlwave.Oil.from_grade(iso_vg=68, viscosity_index=95, temperature_k=343.15)
 
@@ -139,3 +147,71 @@ def test_round_off_of_a_lift_table_does_not_turn_a_surface_round() -> None:
     with pytest.raises(ehlwave.RangeError, match="opposite directions"):
         _ = back.contact
     assert case_table([back]).empty
+
+
+ROLLERS = {"roller_diameter_m": 0.016, "roller_length_m": 0.016, "pitch_diameter_m": 0.08}
+
+
+@pytest.mark.parametrize(
+    ("element", "call", "given", "said"),
+    [
+        (
+            bearing(),
+            "over_load_zone",
+            {"inner_speed_rpm": 3000, "radial_load": 3000},
+            r"DeepGrooveBallBearing: unknown radial_load \(did you mean radial_load_n\?\)",
+        ),
+        (
+            bearing(),
+            "contacts",
+            {"inner_speed_rpm": 3000, "load": 3000},
+            "unknown load: give one of radial_load_n, axial_load_n, is_free_to_tilt",
+        ),
+        (
+            CylindricalRollerBearing(**ROLLERS, rollers=9),
+            "contacts",
+            {"inner_speed_rpm": 3000, "radial_load_n": 9e3, "axial_load_n": 1e3},
+            "CylindricalRollerBearing: unknown axial_load_n",
+        ),
+        (
+            SpurGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.03),
+            "along_path",
+            {"pinion_torque_n_m": 150, "pinion_speed_rpm": 1500, "heats": True},
+            r"SpurGearPair: unknown heats \(did you mean heat\?\)",
+        ),
+        (
+            bearing(),
+            "over_load_zone",
+            {"inner_speed_rpm": 3000, "radial_load_n": 0},
+            "radial_load_n = 0.* must be above 0",
+        ),
+    ],
+)
+def test_arguments_that_a_call_does_not_take_are_named(
+    element: object, call: str, given: dict[str, float], said: str
+) -> None:
+    with pytest.raises(SurfaceError, match=said):
+        getattr(element, call)(**given, oil=OIL)
+
+
+def test_a_missing_oil_is_named() -> None:
+    place = bearing().contacts(radial_load_n=3000, inner_speed_rpm=3000, oil=None)[0]
+    with pytest.raises(SurfaceError, match=r"oil = None is no ehlwave\.Oil"):
+        _ = place.contact
+
+
+def test_flanks_roll_at_the_pitch_point() -> None:
+    """Round-off of both speeds is no sliding, for which friction would be unknown."""
+    slides = []
+    for pinion in range(17, 41):
+        pair = SpurGearPair(module_m=0.003, teeth=(pinion, 2 * pinion + 1), face_width_m=0.03)
+        place = pair.contact_at(
+            pair.geometry.named_points_m["C"],
+            pinion_torque_n_m=150,
+            pinion_speed_rpm=1500,
+            oil=OIL,
+        )
+        assert place.slide_to_roll_ratio == 0.0
+        assert place.contact.conditions.rolls
+        slides.append(place.speeds_m_per_s[0] != place.speeds_m_per_s[1])
+    assert any(slides)

@@ -39,7 +39,7 @@ def refused(rows: Sequence[Row]) -> list[int]:
 def sample(rows: Sequence[Row], each: int) -> list[int]:
     """Return contacts that a law answers: a random one of each of the first elements of a kind.
 
-    Lines come first.
+    In addition all contacts beyond those that the laws of heat were fitted to. Lines come first.
     """
     found, counts = [], Counter[str]()
     for row in rows:
@@ -49,7 +49,14 @@ def sample(rows: Sequence[Row], each: int) -> list[int]:
         counts[row["kind"]] += 1
         place = int(np.random.default_rng([row["number"]]).choice(known))
         found.append(MOST_PLACES * row["number"] + place)
-    return sorted(found, key=lambda number: _is_point(rows, number))
+    ends = [
+        MOST_PLACES * row["number"] + place["place"]
+        for row in rows
+        for place in row["places"]
+        if "beyond" in place
+    ]
+    own = sorted(found, key=lambda number: _is_point(rows, number))
+    return [*own, *(number for number in ends if each and number not in own)]
 
 
 def _is_point(rows: Sequence[Row], number: int) -> bool:
@@ -69,6 +76,7 @@ def times(row: Row, name: str) -> float:
 def contact(row: Row) -> Row:
     """Return a compared contact: differences over both errors, by value."""
     found = {name: row[name] for name in ("number", "kind", "m", "l", "d", "slip")}
+    found["beyond"] = row.get("beyond")
     found |= {name: times(row, name) for name in VALUES}
     return found | {"reason": row["case"].get("reason")}
 
@@ -100,10 +108,18 @@ def _shares(kind: str, rows: Sequence[Row], computed: Mapping[int, Answer]) -> R
 
 
 def compared(judged: Sequence[Row]) -> list[Row]:
-    """Return the shares of films and friction of laws within the errors, by kind and in all."""
+    """Return the shares of films and friction of laws within the errors.
+
+    By kind and in all, and of contacts beyond the fit by the quantity.
+    """
+    ends = sorted({row["beyond"] for row in judged if "beyond" in row})
     table = []
-    for kind in (*KINDS, "all"):
-        own = [row for row in judged if kind in ("all", row["kind"])]
+    for kind in (*KINDS, "all", *ends):
+        own = [
+            row
+            for row in judged
+            if kind == row.get("beyond") or ("beyond" not in row and kind in ("all", row["kind"]))
+        ]
         for name in VALUES:
             off = np.array([times(row, name) for row in own])
             off = off[np.isfinite(off)]

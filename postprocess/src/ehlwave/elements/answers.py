@@ -5,12 +5,14 @@ from __future__ import annotations
 import contextlib
 import math
 import warnings
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 import numpy as np
 
 from ehlwave.contact.heat_data import Heat
+from ehlwave.elements.given import check_names
 from ehlwave.elements.hertz import reduced_modulus
 from ehlwave.elements.place import ElementContact
 from ehlwave.elements.practice import iso_gear_film_m
@@ -63,6 +65,22 @@ class Questions:
     oil_layer_m: float | None = None
     by: str | None = None
     reading: dict[str, Any] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, asked: Mapping[str, Any], place: str, others: Iterable[str] = ()) -> Questions:
+        """Return the questions of a call, and refuse arguments that it does not take.
+
+        Parameters
+        ----------
+        asked : mapping
+            Arguments.
+        place : str
+            Name of the element, for messages.
+        others : iterable of str
+            Names of other arguments of the call, which messages may suggest.
+        """
+        check_names(asked, [one.name for one in fields(cls)] + list(others), place)
+        return cls(**asked)
 
     def __post_init__(self) -> None:
         """Read the traces once."""

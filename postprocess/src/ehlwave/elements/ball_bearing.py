@@ -150,9 +150,8 @@ class BallBearing(RollingBearing):
         radial = at_least(radial_load_n, "radial_load_n", name)
         axial = at_least(axial_load_n, "axial_load_n", name)
         races = self.races(inner_speed_rpm, outer_speed_rpm)
-        if radial == axial == 0:
-            raise SurfaceError(f"{name}: radial_load_n is missing: give it, such as 1000")
         if axial == 0:
+            above(radial, "radial_load_n", name, example="1000")
             if self.free_angle_deg:
                 usual = BALL_HALF_LOADED * radial * math.tan(math.radians(self.free_angle_deg))
                 raise SurfaceError(

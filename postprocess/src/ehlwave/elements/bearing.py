@@ -15,7 +15,7 @@ from ehlwave.choices import chosen
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.elements.answers import Questions
 from ehlwave.elements.bearing_motion import BearingMotion
-from ehlwave.elements.given import count
+from ehlwave.elements.given import check_names, count, loads_of
 from ehlwave.elements.inside_error import inside_error, widen
 from ehlwave.elements.load_zone import RINGS, LoadZone
 from ehlwave.elements.place import ElementContact
@@ -150,6 +150,7 @@ class RollingBearing(BearingMotion):
         ]
 
     def _zone(self, loads: Mapping[str, Any], speeds_rpm: tuple[float, float]) -> LoadZone:
+        check_names(loads, loads_of(self.load_zone), type(self).__name__)
         return self.load_zone(**loads, inner_speed_rpm=speeds_rpm[0], outer_speed_rpm=speeds_rpm[1])
 
     def _angles(self, zone: LoadZone) -> Floats:
@@ -214,9 +215,9 @@ class RollingBearing(BearingMotion):
             :data:`ehlwave.elements.columns.COLUMNS`. Attributes have the power of rolling and
             sliding, kappa of ISO 281 and the worst places.
         """
-        own = ("radial_load_n", "axial_load_n", "is_free_to_tilt")
-        loads = {name: asked.pop(name) for name in own if name in asked}
-        questions = Questions(**asked)
+        takes = loads_of(self.load_zone)
+        loads = {name: asked.pop(name) for name in takes if name in asked}
+        questions = Questions.of(asked, type(self).__name__, takes)
         speeds = (inner_speed_rpm, outer_speed_rpm)
         if inner_speed_rpm == outer_speed_rpm:
             raise SurfaceError(

@@ -217,7 +217,7 @@ class CamFollower(CamMotion):
             Over ``angle_deg``. Attributes have mean powers, ``reversals_deg`` and the angles at
             which the surfaces move in opposite directions.
         """
-        questions = Questions(**asked)
+        questions = Questions.of(asked, type(self).__name__)
         places = self.places(
             cam_speed_rpm=cam_speed_rpm, oil=oil, points=points, options=questions.options
         )

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from ehlwave.contact.bodies import Body
-from ehlwave.elements.given import at_least
+from ehlwave.elements.given import above, at_least
 from ehlwave.elements.load_zone import LoadZone, radial_zone
 from ehlwave.elements.roller_bearing import RollerBearing
-from ehlwave.errors import SurfaceError
 
 
 class CylindricalRollerBearing(RollerBearing):
@@ -91,8 +90,6 @@ class CylindricalRollerBearing(RollerBearing):
             Speeds of the rings, for the centrifugal force of the rollers.
         """
         name = type(self).__name__
-        load = at_least(radial_load_n, "radial_load_n", name)
-        if load == 0:
-            raise SurfaceError(f"{name}: radial_load_n is missing: give it, such as 10000")
+        load = above(radial_load_n, "radial_load_n", name, example="10000")
         races = self.races(inner_speed_rpm, outer_speed_rpm)
         return radial_zone(load, self.elements, self.clearance_m, races)

@@ -197,7 +197,7 @@ class GearPair:
             :data:`ehlwave.elements.columns.COLUMNS`. Attributes have mean powers of sliding and
             rolling, efficiency and the worst places.
         """
-        questions = Questions(**asked)
+        questions = Questions.of(asked, type(self).__name__)
         places = self.places(
             pinion_torque_n_m=pinion_torque_n_m,
             pinion_speed_rpm=pinion_speed_rpm,

@@ -1,9 +1,32 @@
 """Checks of the input for an element: numbers in SI, above a bound, of a pair."""
 
+import inspect
+from collections.abc import Callable, Collection, Iterable
 from typing import Any
 
-from ehlwave.errors import SurfaceError
+from ehlwave.errors import SurfaceError, did_you_mean
 from ehlwave.quantities import number, plain
+
+
+def check_names(given: Iterable[str], known: Collection[str], place: str) -> None:
+    """Refuse names of arguments that a call does not take.
+
+    Parameters
+    ----------
+    given, known : iterable of str
+        Names given, and names that the call takes.
+    place : str
+        Name of the element.
+    """
+    for name in given:
+        if name not in known:
+            near = did_you_mean(name, known) or f": give one of {', '.join(known)}"
+            raise SurfaceError(f"{place}: unknown {name}{near}")
+
+
+def loads_of(load_zone: Callable[..., Any]) -> list[str]:
+    """Return the names of the loads that a bearing takes."""
+    return [name for name in inspect.signature(load_zone).parameters if "speed" not in name]
 
 
 def above(value: Any, name: str, place: str, least: float = 0.0, example: str = "") -> float:  # noqa: ANN401

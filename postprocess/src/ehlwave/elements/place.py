@@ -12,9 +12,11 @@ from ehlwave.contact.bodies import Body
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.contact.equality import equal_fields
 from ehlwave.elements.hertz import hertz_line, hertz_point, reduced_modulus, reduced_radius
-from ehlwave.errors import RangeError
+from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.operating_point import Contact
 
+ROUND_OFF = 1e-12
+"""Difference of the speeds over their mean below which both are equal."""
 STILL = 1e-4
 """Speed of a surface over the speed of the other below which its direction does not count."""
 
@@ -88,10 +90,16 @@ class ElementContact:
 
     @property
     def slide_to_roll_ratio(self) -> float:
-        """Return (u1 - u2) over the mean speed; infinite where no oil is drawn in."""
+        """Return (u1 - u2) over the mean speed; infinite where no oil is drawn in.
+
+        Speeds that differ by round-off are equal: 0.
+        """
         first, second = self.speeds_m_per_s
         mean = self.mean_speed_m_per_s
-        return (first - second) / mean if mean != 0 else math.inf
+        if mean == 0:
+            return math.inf
+        ratio = (first - second) / mean
+        return ratio if abs(ratio) > ROUND_OFF else 0.0
 
     @property
     def is_opposite(self) -> bool:
@@ -141,6 +149,8 @@ class ElementContact:
         options : mapping
             In place of its own.
         """
+        if not isinstance(self.oil, Oil):
+            raise SurfaceError(f"oil = {self.oil!r:.60} is no ehlwave.Oil")
         first, second = self.speeds_m_per_s
         if first == second == 0:
             raise RangeError("both surfaces stand still past the contact, which draws no oil in")
@@ -150,6 +160,8 @@ class ElementContact:
                 "opposite directions past the contact, which no law and no case covers "
                 "(slide_to_roll_ratio of -2 to 2)"
             )
+        if self.slide_to_roll_ratio == 0:
+            first = second = self.mean_speed_m_per_s
         sign = math.copysign(1.0, first + second)
         given: dict[str, Any] = {"load_n": self.load_n}
         if self.length_m is not None:

@@ -100,7 +100,7 @@ class TestRig:
             ``trace``, ``second``, ``heat``, ``stress``, ``oil_over_flooded``, ``reading`` of
             :class:`ehlwave.elements.answers.Questions`.
         """
-        questions = Questions(**asked)
+        questions = Questions.of(asked, type(self).__name__)
         places = self.places(
             mean_speeds_m_per_s=mean_speeds_m_per_s,
             load_n=load_n,

@@ -20,7 +20,7 @@ ACCURACY, WARM_ACCURACY, DATA_ACCURACY = 0.005, 0.01, 0.03
 """Relative errors of the central film that are asked for: without heat, with heat, and where only
 the effect of changed data counts. Halving it takes four times as long.
 """
-DATA_SHARE = 20
+DATA_SHARE = 10
 """Film error by errors of the oil's data over the accuracy that suffices beside it."""
 MINIMUM_ERROR = 0.05
 """Error of the smallest film above which the grid is refined; at least four times the accuracy."""
@@ -157,8 +157,9 @@ def _by_data(
 ) -> tuple[float, float]:
     """Return relative errors of film and friction by errors of the oil's data.
 
-    The film's share of viscosity and alpha is `oil_error`. Other shares have a closed form for
-    Ree-Eyring oils, and are differences to contacts computed with changed data for others.
+    The film's share of viscosity and alpha is `oil_error`. Other shares have a closed form in pure
+    rolling and for Ree-Eyring oils, and are differences to contacts computed with changed data for
+    others.
     """
     given = dict(c.given)
     changed: list[tuple[Conditions, Heat | None]] = []
@@ -179,8 +180,8 @@ def _by_data(
     film, friction = c.oil_error, 0.0
     if not changed:
         return film, friction
-    if "eyring_stress_pa" in given:
-        return _by_laws(c, heat, found, float(given["eyring_stress_pa"]))
+    if c.rolls or "eyring_stress_pa" in given:
+        return _by_laws(c, heat, found)
     first, *others = (
         run_case({**case_keys(one, its_heat), "accuracy": DATA_ACCURACY}, progress)
         for one, its_heat in ((c, heat), *changed)
@@ -194,15 +195,14 @@ def _by_data(
     return film, friction
 
 
-def _by_laws(
-    c: Conditions, heat: Heat | None, found: Result, eyring_stress_pa: float
-) -> tuple[float, float]:
-    """Return the same errors by the closed forms of an even film, for Ree-Eyring oils."""
+def _by_laws(c: Conditions, heat: Heat | None, found: Result) -> tuple[float, float]:
+    """Return the same errors by the laws of warm inlets and of the friction of an even film."""
+    stress_pa = dict(c.given).get("eyring_stress_pa")
     if heat is None:
         film_moes = float(found["central_film_moes"])
-        return c.oil_error, isothermal_error_by_data(c, film_moes, eyring_stress_pa)
+        return c.oil_error, isothermal_error_by_data(c, film_moes, float(stress_pa or math.nan))
     cold_m = found["isothermal_central_film"] * float(c.hertz_approach_c_m or math.nan)
-    law = warmed(c, heat, cold_m, eyring_stress_pa)
+    law = warmed(c, heat, cold_m, stress_pa)
     return c.oil_error + law.film_error_by_data, law.friction_error_by_data
 
 

@@ -204,7 +204,7 @@ def warmed(
     is_rigid |= conditions.is_line and conditions.m < light_lines.LIGHT.load_parameter_m[0]
     softest = RANGES["eyring_stress_pa"][0]
     is_soft = not conditions.is_line and (eyring_stress_pa or softest) < softest
-    is_oily = (conditions.is_line or is_rigid) and light_lines.is_oily(conditions.l, ratio == 0)
+    is_oily = light_lines.is_oily(conditions.l, ratio == 0)
 
     def inlet_of(heat: Heat) -> float:
         wall = wall_parameter(heat, film_m, conditions.semi_axis_a_m, u)

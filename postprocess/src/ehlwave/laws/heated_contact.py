@@ -1,5 +1,7 @@
 """Film and friction of a contact with heat by the laws of :mod:`ehlwave.laws.heat_laws`."""
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 
 from ehlwave.contact.conditions import Conditions
@@ -11,9 +13,13 @@ from ehlwave.laws.light_lines import LIGHT
 from ehlwave.laws.rigid_films import HIGHEST_L, LOWEST_ELLIPSE_M, LOWEST_M, is_rigid
 
 EYRING_PA = (1e6, RANGES["eyring_stress_pa"][1])
-POINT_RANGES = RANGES | {"eyring_stress_pa": EYRING_PA}
+POINT_RANGES = RANGES | {
+    "eyring_stress_pa": EYRING_PA,
+    "load_parameter_m": (RANGES["load_parameter_m"][0], 4000.0),
+    "Peclet number of a surface": (0.1, np.inf),
+}
 """Ranges of elliptical contacts that slide."""
-ROLLING_RANGES = POINT_RANGES | {
+ROLLING_FIT = POINT_RANGES | {
     "load_parameter_m": inlet.M_RANGE,
     "lubricant_parameter_l": inlet.L_RANGE,
     "hertz_pressure_pa": (3e8, 3.5e9),
@@ -21,7 +27,14 @@ ROLLING_RANGES = POINT_RANGES | {
     "eta0 beta u^2/k": inlet.LOADING_RANGE,
     "Peclet number of a surface": (0.0, np.inf),
 }
-"""Ranges of contacts in pure rolling, where the warm inlet alone thins the film."""
+"""Contacts in pure rolling of the fit, where the warm inlet alone thins the film."""
+ROLLING_RANGES = ROLLING_FIT | {
+    "load_parameter_m": (inlet.M_RANGE[0], 70000.0),
+    "lubricant_parameter_l": (inlet.L_RANGE[0], 40.0),
+    "hertz_pressure_pa": (2.6e8, 3.5e9),
+    "film over Hertz approach": (0.0, 1.8),
+}
+"""Ranges of elliptical contacts in pure rolling: ``scripts/study elements`` judges them."""
 LINE_RANGES = RANGES | {
     "load_parameter_m": (LIGHT.load_parameter_m[0], RANGES["load_parameter_m"][1]),
     "hertz_pressure_pa": LIGHT.hertz_pressure_pa,
@@ -90,8 +103,27 @@ def _check(
     conditions: Conditions, heat: Heat, film_m: float, stress_pa: float | None, is_ball: bool
 ) -> None:
     """Refuse contacts outside the fit; `is_ball`: an ellipse that rolls and hardly deforms."""
+    rolls = conditions.slip_parameter == 1
+    if conditions.is_line:
+        ranges = LINE_ROLLING_RANGES if rolls else LINE_RANGES
+    elif is_ball:
+        ranges = RIGID_RANGES
+    else:
+        ranges = ROLLING_RANGES if rolls else POINT_RANGES
+    found = outside(quantities(conditions, heat, film_m, stress_pa), ranges)
+    if found:
+        raise RangeError(_outside(*found))
+    lowest = inlet.LOWEST_D if rolls else LOWEST_RATIO
+    if 0 < conditions.d < lowest:
+        raise RangeError(_outside("radius_ratio_d", conditions.d, f"{lowest:g} to 1, or 0"))
+
+
+def quantities(
+    conditions: Conditions, heat: Heat, film_m: float, stress_pa: float | None
+) -> dict[str, list[float]]:
+    """Return the values that the laws have ranges for, by name; arguments as of :func:`heated`."""
     oil = conditions.oil
-    values = {
+    return {
         "load_parameter_m": [conditions.m],
         "lubricant_parameter_l": [conditions.l],
         "hertz_pressure_pa": [conditions.hertz_pa],
@@ -104,21 +136,18 @@ def _check(
         "effusivity of a body": [body.effusivity for body in heat.bodies],
         "Peclet number of a surface": _peclet_numbers(conditions, heat),
     }
-    rolls = conditions.slip_parameter == 1
-    if conditions.is_line:
-        ranges = LINE_ROLLING_RANGES if rolls else LINE_RANGES
-    elif is_ball:
-        ranges = RIGID_RANGES
-    else:
-        ranges = ROLLING_RANGES if rolls else POINT_RANGES
+
+
+def outside(
+    values: Mapping[str, Sequence[float]], ranges: Mapping[str, tuple[float, float]]
+) -> tuple[str, float, str] | None:
+    """Return the name, value and range of the first of `quantities` outside its range, if any."""
     for name, found in values.items():
         low, high = ranges[name]
         for value in found:
             if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
-                raise RangeError(_outside(name, value, f"{low:g} to {high:g}"))
-    lowest = inlet.LOWEST_D if rolls else LOWEST_RATIO
-    if 0 < conditions.d < lowest:
-        raise RangeError(_outside("radius_ratio_d", conditions.d, f"{lowest:g} to 1, or 0"))
+                return name, value, f"{low:g} to {high:g}"
+    return None
 
 
 def _peclet_numbers(conditions: Conditions, heat: Heat) -> list[float]:

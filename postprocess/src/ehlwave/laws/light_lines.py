@@ -28,7 +28,7 @@ drawn afresh, M = 0.02 to 0.6, are within, and so are 12 ellipses, whose loss is
 
 
 FITTED_L, FITTED_ROLLING_L = 20.0, 25.0
-"""L of sliding and of rolling lines up to which the laws of heat are fitted."""
+"""L of sliding and of rolling contacts up to which the laws of heat are fitted."""
 OILY_FILMS, OILY_FRICTION = 1.5, 0.08
 """Factor of film errors beyond, and more error of friction. Without them 87 % of rolling films and
 11 of 13 frictions are within."""
@@ -59,7 +59,7 @@ def film_bar(loss: float, is_rigid: bool) -> float:
 
 
 def is_oily(lubricant_parameter_l: float, rolls: bool) -> bool:
-    """Return whether L of a line is above the contacts of the fit.
+    """Return whether L of a contact is above the contacts of the fit.
 
     Parameters
     ----------
