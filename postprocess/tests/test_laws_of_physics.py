@@ -1,6 +1,7 @@
 """Laws of ridges under slip, of waves in warm contacts, of smallest films of heavy contacts."""
 
 import csv
+import math
 from pathlib import Path
 
 import numpy as np
@@ -49,12 +50,29 @@ def test_ridges_beyond_the_oils_of_the_law_are_refused() -> None:
     assert any("thins in the inlet" in reason for reason in reasons)
 
 
-def test_the_smallest_film_of_a_heavy_slender_contact() -> None:
-    """Computed on 512 x 512 cells: 3.9144 in the Moes scale, within 1 %."""
-    keys = {"load_parameter_m": 7902, "lubricant_parameter_l": 13.2, "radius_ratio_d": 0.031}
-    film = ehlwave.Contact(**keys).film()
-    assert film.minimum_moes == pytest.approx(3.93, rel=0.02)
+@pytest.mark.parametrize(
+    ("m", "l", "d", "right"),
+    [
+        (7902, 13.2, 0.031, 3.954),
+        (3000, 10, 0.9, 0.884),
+        (6000, 10, 0.5, 1.172),
+        (2942, 8.25, 0.25, 1.997),
+    ],
+)
+def test_the_smallest_film_of_a_heavy_contact(m: float, l: float, d: float, right: float) -> None:  # noqa: E741
+    """Computed on 1024 x 1024 cells of the fitted scheme, Moes scale, within 1 %."""
+    keys = {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d}
+    oil = {"pressure_viscosity_per_pa": 2e-8, "roelands_index": 0.68}
+    film = ehlwave.Contact(**keys, **oil).film()
+    assert film.minimum_moes == pytest.approx(right, rel=film.minimum_error + 0.01)
     assert film.minimum_error < 0.05
+
+
+def test_a_smallest_film_beyond_the_computed_loads_is_unknown() -> None:
+    keys = {"load_parameter_m": 20000, "lubricant_parameter_l": 10, "radius_ratio_d": 0.05}
+    film = ehlwave.Contact(**keys).film()
+    assert math.isnan(film.minimum_moes)
+    assert math.isfinite(film.central_moes)
 
 
 def test_waves_of_a_warm_contact() -> None:

@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 
 import ehlwave
 from ehlwave.errors import EhlwaveError
-from ehlwave.laws.atlas.constriction import terms
+from ehlwave.laws.atlas.constriction import LARGEST_M, terms
 from ehlwave.writing import Writer
 from studies.judged.runs import groups_of, kept, log_uniform, solved
 from studies.sweeps import Row
 
 Floats = NDArray[np.float64]
 
-RIDGE = 0.3
+RIDGE = 0.1
 """How much coefficients are held to zero, in units of terms."""
 RANGES = {
     "load_parameter_m": (5.0, 100000.0),
@@ -52,7 +52,9 @@ def drawn(number: int) -> dict[str, float]:
 def study(number: int, folder: Path) -> Row:
     """Return films of the package and of the program, Moes scale."""
     keys = drawn(number)
-    film = ehlwave.Contact(**keys).film()
+    contact = ehlwave.Contact(**keys)
+    film = contact.film()
+    chart = contact.atlas().at(contact.conditions.atlas_keys())
     cells = next(cells for most, cells in CELLS if keys["load_parameter_m"] <= most)
     grid = {"cells_x": cells, "cells_y": cells}
     found = solved(groups_of(keys, grid=grid, solver={"scheme": "fitted"}), folder)
@@ -60,6 +62,7 @@ def study(number: int, folder: Path) -> Row:
         "minimum_law": film.minimum_moes,
         "minimum_law_error": film.minimum_error,
         "central_law_error": film.central_error,
+        "networks": chart.ratio_of_networks(),
     }
     if found is None:
         return row
@@ -85,13 +88,16 @@ FOLDS, WITHIN, MOST_TIMES = 12, 0.97, 2.0
 def usable(rows: Sequence[Row]) -> pd.DataFrame:
     """Return the contacts whose smallest film the grid resolves."""
     table = pd.DataFrame(rows)
-    return table[table["central"].notna() & (table["minimum_error"] < LARGEST_ERROR)]
+    return table[
+        (table["load_parameter_m"] <= LARGEST_M) & (table["minimum_error"] < LARGEST_ERROR)
+    ]
 
 
 def fit(table: pd.DataFrame) -> tuple[dict[str, list[float]], list[Row]]:
     """Return the data of the package, and rows of its present answers and of the fit, held out."""
     names = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
-    a = terms(*(table[name].to_numpy() for name in names))
+    log_networks = np.log(table["networks"].to_numpy())
+    a = terms(*(table[name].to_numpy() for name in names), log_networks)
     y = np.log((table["minimum"] / table["central"]).to_numpy())
     fold = np.arange(len(y)) % FOLDS
     off = np.zeros_like(y)
@@ -99,10 +105,11 @@ def fit(table: pd.DataFrame) -> tuple[dict[str, list[float]], list[Row]]:
         left = fold != one
         off[~left] = np.abs(np.expm1(a[~left] @ _solved(a[left], y[left]) - y[~left]))
     error = max(float(np.quantile(off, WITHIN)), float(off.max() / MOST_TIMES))
-    before = np.abs((table["minimum_law"] / table["minimum"] - 1).to_numpy())
+    known = table[table["minimum_law"].notna()]
+    before = np.abs((known["minimum_law"] / known["minimum"] - 1).to_numpy())
     central = table["central_law_error"].to_numpy()
     table_rows = [
-        _row("before", before, table["minimum_law_error"].to_numpy()),
+        _row("before", before, known["minimum_law_error"].to_numpy()),
         _row("corrected", off, central + error),
     ]
     found = {

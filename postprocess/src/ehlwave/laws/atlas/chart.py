@@ -122,7 +122,6 @@ class Chart:
                 f"{beyond} lies outside the atlas: name a formula, or compute it (ehlwave.Case)"
             )
         self._networks = networks
-        self._smallest = None if kind.smallest is None else kind.smallest(keys)
         self._place = kind.coordinates(keys)
         self.film_numbers = networks.films(self._place)[0]
         """Return the coordinates of the films, as the kind of the atlas names them."""
@@ -130,6 +129,9 @@ class Chart:
         numbers = dict(zip(kind.films, self.film_numbers[:, None], strict=True))
         self._shape = kind.shape(kind.state(keys, references, numbers))
         self._references = references[0]
+        self._smallest = (
+            None if kind.smallest is None else kind.smallest(keys, self.ratio_of_networks())
+        )
         self._thinned = thinned
         if thinned is not None:
             film = thinned.film()
@@ -150,6 +152,11 @@ class Chart:
         """Return central and smallest film, Moes scale, as the networks have them."""
         base, ratios = self._references, np.exp(self.film_numbers)
         return float(base[0] * ratios[0]), float(base[1] * ratios[0] * ratios[1])
+
+    def ratio_of_networks(self) -> float:
+        """Return the smallest over the central film by the networks, at most 1."""
+        central, minimum = self.computed_films()
+        return min(minimum / central, 1.0)
 
     def _film_errors(self) -> Floats:
         """Return the errors of the films; far from the data, where networks differ, they grow."""

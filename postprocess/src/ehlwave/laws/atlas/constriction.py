@@ -1,8 +1,9 @@
 """Smallest over central film of contacts that roll, of the wide atlas.
 
 The grids of that atlas resolve central films, but not the narrow constriction beside the centre of
-heavy contacts. ln of the ratio is a polynomial in ln(M/1000), ln(L/10) and ln(D/0.1), fitted to
-contacts computed on finer grids by ``scripts/study judged``, which writes ``constriction.json``.
+heavy contacts. ln of the ratio is a polynomial in ln(M/1000), ln(L/10) and ln(D/0.1), plus ln of
+the ratio of the networks of the atlas times another one. Both are fitted to contacts computed on
+finer grids by ``scripts/study judged``, which writes ``constriction.json``.
 """
 
 import json
@@ -21,7 +22,8 @@ Floats = NDArray[np.float64]
 
 CENTRE = (1000.0, 10.0, 0.1)
 """M, L and D of which the logarithms count."""
-DEGREE = 4
+DEGREES = (4, 2)
+"""Of the polynomial, and of the factor of the networks."""
 LARGEST_M = 12000.0
 """Largest M of the computed contacts."""
 
@@ -34,38 +36,43 @@ def fitted() -> Mapping[str, Sequence[float]]:
     return found
 
 
-def terms(m: ArrayLike, l: ArrayLike, d: ArrayLike) -> Floats:  # noqa: E741 - the paper's letter
-    """Return the terms of the polynomial, shape (contacts, terms)."""
+def terms(m: ArrayLike, l: ArrayLike, d: ArrayLike, log_networks: ArrayLike) -> Floats:  # noqa: E741 - the paper's letter
+    """Return the terms of the fit, shape (contacts, terms).
+
+    Parameters
+    ----------
+    m, l, d : array_like
+        Of the contacts.
+    log_networks : array_like
+        ln of the smallest over the central film, by the networks.
+    """
     values = (np.log(np.atleast_1d(x) / c) for x, c in zip((m, l, d), CENTRE, strict=True))
     columns = list(values)
+    factors = (np.ones_like(columns[0]), np.atleast_1d(log_networks))
     powers = [
-        np.prod([columns[i] for i in chosen], axis=0) if chosen else np.ones_like(columns[0])
-        for degree in range(DEGREE + 1)
+        factor * np.prod([np.ones_like(factor), *(columns[i] for i in chosen)], axis=0)
+        for factor, most in zip(factors, DEGREES, strict=True)
+        for degree in range(most + 1)
         for chosen in combinations_with_replacement(range(3), degree)
     ]
     return np.stack(powers, axis=1)
 
 
-def constriction(m: float, l: float, d: float) -> tuple[float, float]:  # noqa: E741
+def constriction(keys: Mapping[str, float], networks: float) -> tuple[float, float]:
     """Return the smallest over the central film, and its relative error.
 
-    Values of the polynomial are held within the computed range. Beyond the loads that grids resolve
-    both are NaN.
+    Values are held within the computed range. Beyond the loads that grids resolve both are NaN.
 
-    Examples
-    --------
-    >>> from ehlwave.laws.atlas.constriction import constriction
-    >>> ratio, error = constriction(7902, 13.2, 0.031)
-    >>> print(f"{ratio:.2f} within {error:.0%}")
-    0.91 within 5%
+    Parameters
+    ----------
+    keys : mapping
+        Of the contact: M, L and D.
+    networks : float
+        The same ratio by the networks.
     """
+    m, l, d = (keys[key] for key in MOES_KEYS)  # noqa: E741 - the paper's letter
     if m > LARGEST_M:
         return math.nan, math.nan
     found = fitted()
-    value = float((terms(m, l, d) @ np.asarray(found["coefficients"]))[0])
+    value = float((terms(m, l, d, math.log(networks)) @ np.asarray(found["coefficients"]))[0])
     return math.exp(min(max(value, found["low"][0]), found["high"][0])), found["error"][0]
-
-
-def constriction_of(keys: Mapping[str, float]) -> tuple[float, float]:
-    """Return the same by the keys of a contact."""
-    return constriction(*(keys[key] for key in MOES_KEYS))

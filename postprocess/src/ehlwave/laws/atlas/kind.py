@@ -55,7 +55,8 @@ class Kind:
     beyond : callable
         Excess of a contact, though within the ranges, from its keys; '' if none.
     smallest : callable or None
-        Smallest over central film and its relative error, from the keys, in place of the networks'.
+        Smallest over central film and its relative error, from the keys and from this ratio of the
+        networks.
     """
 
     name: str
@@ -66,7 +67,7 @@ class Kind:
     references: Callable[[Keys], Floats]
     state: Callable[[Keys, Floats, Mapping[str, Floats]], Keys] = _keys_alone
     beyond: Callable[[Mapping[str, float]], str] = _unlimited
-    smallest: Callable[[Mapping[str, float]], tuple[float, float]] | None = None
+    smallest: Callable[[Mapping[str, float], float], tuple[float, float]] | None = None
 
     def holds(self, keys: Mapping[str, float]) -> bool:
         """Return whether a contact lies within the ranges, by its keys."""

@@ -5,7 +5,7 @@ from functools import cache
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.laws.atlas.chart import Chart
-from ehlwave.laws.atlas.constriction import constriction_of
+from ehlwave.laws.atlas.constriction import constriction
 from ehlwave.laws.atlas.coordinates import beyond_limits, contact_coordinates, rolling_references
 from ehlwave.laws.atlas.kind import FILMS, Kind, shipped
 from ehlwave.laws.atlas.networks import Networks
@@ -24,7 +24,7 @@ WIDE = Kind(
     FILMS,
     rolling_references,
     beyond=beyond_limits,
-    smallest=constriction_of,
+    smallest=constriction,
 )
 
 
