@@ -5,16 +5,13 @@ import pytest
 
 import ehlwave
 from ehlwave.contact.alpha_estimates import ESTIMATES, State, estimate_alpha
-from ehlwave.contact.data_sheet import (
-    DENSITY_15C,
-    EXPANSION_PER_K,
-    GRADE_ERROR,
-    USUAL_INDICES,
-)
-from ehlwave.contact.measured_oils import MEASURED, TEMPERATURES_K
+from ehlwave.contact.data_sheet import EXPANSION_PER_K
+from ehlwave.contact.measured_oils import DENSITY_15C, MEASURED, TEMPERATURES_K
+from ehlwave.contact.sheet_values import USUAL_INDICES
 from ehlwave.contact.viscosity_grade import (
     BEND,
     COLD_K,
+    GRADE_ERROR,
     HOT_K,
     INDEX_TERMS,
     ISO_GRADES,

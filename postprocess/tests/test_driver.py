@@ -14,7 +14,8 @@ from ehlwave.inputs.namelist import scan_namelist
 from ehlwave.inputs.namelist_values import plain
 from ehlwave.programs.programs import find_program, namelist
 from ehlwave.programs.progress import counted, following, run_following
-from ehlwave.results.case_figures import case_figure, undeformed_history, units_of
+from ehlwave.results.case_figures import case_figure, units_of
+from ehlwave.results.undeformed import undeformed_history
 
 MOES = {"load_parameter_m": 60, "lubricant_parameter_l": 6, "radius_ratio_d": 1}
 COARSE = {"cells_x": 32, "cells_y": 32}

@@ -54,7 +54,8 @@ module ehlwave_shared_steady
    ! finest).
    real(dp), parameter :: coarse_tolerance = 1e-5_dp
 
-   real(dp), parameter :: tangent_tolerance = 1e-6_dp   !! tolerance of its derivatives, at most
+   real(dp), parameter :: loosest = 1e-6_dp, tightest = 1e-10_dp   !! tolerances of transposed systems; rounding
+                                                                   !! may not let the residual fall farther
 
 contains
 
@@ -232,7 +233,7 @@ contains
    !> Tolerance of the transposed systems.
    pure real(dp) function adjoint_tolerance(case)
       type(case_t), intent(in) :: case
-      adjoint_tolerance = min(tangent_tolerance, case%tolerance)
+      adjoint_tolerance = min(loosest, max(tightest, case%tolerance))
    end function adjoint_tolerance
 
    !> The finest grid.

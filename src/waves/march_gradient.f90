@@ -13,6 +13,7 @@ module ehlwave_march_gradient
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
    use ehlwave_steady_tangent, only: steady_adjoint_t, steady_tangent_t
+   use ehlwave_step_systems, only: step_systems_t
    implicit none (type, external)
    private
 
@@ -28,6 +29,8 @@ module ehlwave_march_gradient
       real(dp), allocatable, private :: content(:, :, :, :)    ! weights of rho H, (0:nx, 0:ny, results, steps back)
       real(dp), allocatable, private :: approach(:, :)         ! weights of Delta, (results, steps back)
       real(dp), allocatable, private :: vectors(:, :)          ! (n, results), of the last step
+      type(step_systems_t), private :: systems
+      real(dp), allocatable, private :: largest(:)             ! right sides, (results)
    contains
       procedure :: find
    end type march_gradient_t
@@ -93,6 +96,7 @@ contains
       end associate
       allocate (self%approach(results, 0:step%steps_back), source=0.0_dp)
       allocate (self%vectors(n, results), source=0.0_dp)
+      allocate (self%largest(results), source=0.0_dp)
    end subroutine make_room
 
    !> Transposed solves of a step: weights of its residuals in the results.
@@ -110,6 +114,7 @@ contains
 
       allocate (h_weight, q_weight, mold=state%h)
       norm = 0
+      call self%systems%begin_step()
       associate (flow => tangent%linear%levels(tangent%linear%finest)%equations%flow)
          call levels(size(levels))%problem%grid%centre_weights(node, weight)
          do r = 1, size(weights)
@@ -119,7 +124,8 @@ contains
                if (abs(weight(k)) > 0) h_weight(node(1, k), node(2, k)) = &
                   h_weight(node(1, k), node(2, k)) + weights(r)*weight(k)
             end do
-            call tangent%solve_transposed(levels, q_weight, h_weight, tolerance, adjoint, self%approach(r, 0))
+            call tangent%solve_transposed(levels, q_weight, h_weight, tolerance, adjoint, self%approach(r, 0), &
+                                         self%systems, self%largest(r))
             self%is_found = adjoint%status == status_converged
             if (.not. self%is_found) return
             self%vectors(:, r) = adjoint%vector

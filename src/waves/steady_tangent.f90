@@ -9,6 +9,7 @@ module ehlwave_steady_tangent
    use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
+   use ehlwave_step_systems, only: step_systems_t
    implicit none (type, external)
    private
 
@@ -116,13 +117,15 @@ contains
    end subroutine solve
 
    !> Derivative by the weighted residuals of a result whose derivatives by P, H and Delta are given.
-   subroutine solve_transposed(self, levels, q_weight, h_weight, tolerance, adjoint, delta_weight)
+   subroutine solve_transposed(self, levels, q_weight, h_weight, tolerance, adjoint, delta_weight, systems, largest)
       class(steady_tangent_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)          !! levels of `init`: their deformation is used
       real(dp), intent(in) :: q_weight(0:, 0:), h_weight(0:, 0:)
       real(dp), intent(in) :: tolerance                          !! tolerance of the linear residual
       type(steady_adjoint_t), intent(out) :: adjoint
       real(dp), intent(in), optional :: delta_weight             !! besides the film's
+      type(step_systems_t), intent(inout), optional :: systems   !! of successive steps, with
+      real(dp), intent(inout), optional :: largest               !! their largest right side
       real(dp), allocatable :: c(:)
 
       adjoint%work = -work_of(levels)
@@ -132,7 +135,12 @@ contains
          call linear%state_weights(q_weight, h_weight, c)
          if (present(delta_weight)) c(linear%n) = c(linear%n) + delta_weight
          linear%is_transposed = .true.
-         call find(self, c, tolerance, adjoint%vector, adjoint%status, adjoint%linear_steps)
+         if (present(systems)) then
+            call systems%solve(linear, levels, c, tolerance, largest, adjoint%vector, adjoint%status, &
+                               adjoint%linear_steps)
+         else
+            call find(self, c, tolerance, adjoint%vector, adjoint%status, adjoint%linear_steps)
+         end if
          linear%is_transposed = .false.
          call linear%release()
       end associate

@@ -85,6 +85,21 @@ class PythonEnvironment(FolderTest):
             self.run_bash(f"scripts/python-environment {option}", EHLWAVE_PYTHON=str(named))
             self.assertIn(f"-m venv {self.venv}{option[1:]}\n", (self.folder/"calls").read_text())
 
+    def test_packages_that_were_found_are_not_imported_again(self):
+        """A command that another has called believes it, for the same Python, requirements and extras."""
+        named, calls = self.folder/"named", self.folder/"calls"
+        named.write_text(f"#!/bin/sh\necho call >>'{calls}'\n")
+        named.chmod(0o755)
+        again = f"export EHLWAVE_PYTHON={named}; settings=$(scripts/python-environment) && eval \"$settings\"; "
+        for change, number in ((":", 1), ("unset EHLWAVE_PYTHON_HAS", 2), ("echo >>postprocess/pyproject.toml", 2),
+                               ("cp named other; export EHLWAVE_PYTHON=$PWD/other", 2)):
+            calls.unlink(missing_ok=True)
+            self.check_status(self.run_bash(f"{again}{change}; scripts/python-environment >/dev/null"), 0)
+            self.assertEqual(len(calls.read_text().split()), number, change)
+        calls.unlink()
+        self.check_status(self.run_bash(f"{again}scripts/python-environment --test >/dev/null"), 0)
+        self.assertEqual(len(calls.read_text().split()), 2)
+
     @unittest.skipUnless(os.getuid() == 0, "only root can give files away")
     def test_environment_of_another_user(self):
         self.somebodys(self.venv)

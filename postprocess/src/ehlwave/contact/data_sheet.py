@@ -1,27 +1,25 @@
 """Oils from data sheets: input of contacts at a given temperature."""
 
-import contextlib
-from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from itertools import product
 from typing import Any
 
 import numpy as np
 
 from ehlwave.choices import chosen
-from ehlwave.contact.alpha_estimates import State, estimate_alpha
+from ehlwave.contact.alpha_estimates import State
 from ehlwave.contact.measured_oils import DENSITY_15C, MEASURED, SOURCE, TEMPERATURES_K
 from ehlwave.contact.oil_heat import own_heat, usual_heat
-from ehlwave.contact.viscosity_grade import (
-    COLD_K,
-    GRADE_ERROR,
-    HOT_K,
-    ISO_GRADES,
-    THINNEST,
-    Walther,
-    hot_viscosity,
+from ehlwave.contact.sheet_values import (
+    PASSED,
+    alpha_of,
+    check_names,
+    needed,
+    positive,
+    viscosity_error,
+    viscosity_lines,
 )
-from ehlwave.errors import SurfaceError, did_you_mean, see
+from ehlwave.contact.viscosity_grade import COLD_K, HOT_K, Walther
+from ehlwave.errors import SurfaceError, see
 from ehlwave.quantities import ZERO_CELSIUS_K, number
 from ehlwave.shown import percent
 
@@ -33,19 +31,6 @@ DENSITIES = {"mineral": 880.0, "pao": 835.0, "ester": 920.0, "polyglycol": 1050.
 
 EXPANSION_PER_K = 7e-4
 """Usual of oils, 1/K, relative to 15 C."""
-
-USUAL_INDICES = {
-    "mineral": (80.0, 95.0, 150.0),
-    "pao": (130.0, 145.0, 170.0),
-    "ester": (140.0, 150.0, 190.0),
-    "polyglycol": (180.0, 220.0, 280.0),
-}
-"""Low, usual and high viscosity indices by the kind of base oil. Mineral: API 1509, groups I and
-II, from 80; ISO 3448, tables for 95; with improvers to 150 (tribology-abc.com). PAO: about 130
-(Noria, Machinery Lubrication 31106), 142 to 168 from PAO 4 to 100 (the source of
-:data:`ehlwave.contact.oil_heat.PAO`). Esters: 140 to 160 (tribology-abc.com), oleates to 190;
-aromatic ones lie below. Polyglycols: 180 to 280 (Beatty and Greaves, Machinery Lubrication 930);
-205 of the copolymer in the source of :mod:`ehlwave.contact.measured_oils`."""
 
 _STEP_K = 0.01
 
@@ -151,11 +136,12 @@ class Oil:
             ``temperature_k``. The viscosity at 40 C: ``iso_vg`` (within 10 %, ISO 3448) or
             ``viscosity_40c_mm2_per_s``. Its change with temperature:
             ``viscosity_100c_mm2_per_s`` or ``viscosity_index`` (ASTM D2270; if both are left out
-            the usual index of the kind, :data:`USUAL_INDICES`, and the error covers the low and
-            high index); between them ASTM D341 holds, and below 40 and above 100 C it is
-            extrapolated, which the error includes. ``density_15c_kg_per_m3`` (usual of the kind if
-            left out). ``kind``: ``"mineral"`` (default), ``"pao"``, ``"ester"``, ``"polyglycol"``.
-            ``pressure_viscosity_per_pa`` at this temperature with ``pressure_viscosity_error``, or
+            the usual index of the kind, :data:`ehlwave.contact.sheet_values.USUAL_INDICES`, and the
+            error covers the low and high index); between them ASTM D341 holds, and below 40 and
+            above 100 C it is extrapolated, which the error includes. ``density_15c_kg_per_m3``
+            (usual of the kind if left out). ``kind``: ``"mineral"`` (default), ``"pao"``,
+            ``"ester"``, ``"polyglycol"``. ``pressure_viscosity_per_pa`` at this temperature with
+            ``pressure_viscosity_error``, or
             ``alpha``, an estimate: ``"gold"`` (default), ``"wooster"``, ``"so-klaus"``; its scatter
             becomes the error. ``roelands_index``, ``eyring_stress_pa``. Conductivity and heat
             capacity are usual ones of the kind (:mod:`ehlwave.contact.oil_heat`) unless
@@ -174,12 +160,12 @@ class Oil:
         >>> print(oil)
         13.2 mPa s and alpha = 12.1 1/GPa within 31 % at 70 C
         """
-        _check_names(sheet)
+        check_names(sheet)
         kind = chosen(sheet.get("kind", "mineral"), "kind", DENSITIES, "Oil", see("oil"))
-        temperature = _needed(sheet, "temperature_k")
-        walther, others, said = _lines(sheet, kind)
+        temperature = needed(sheet, "temperature_k")
+        walther, others, said = viscosity_lines(sheet, kind)
         density_15c = sheet.get("density_15c_kg_per_m3", DENSITIES[kind])
-        density_15c = _positive(density_15c, "density_15c_kg_per_m3")
+        density_15c = positive(density_15c, "density_15c_kg_per_m3")
 
         def density(at_k: float) -> float:
             return density_15c / (1 + EXPANSION_PER_K * (at_k - DENSITY_K))
@@ -188,17 +174,17 @@ class Oil:
             return 1e-6 * walther.viscosity(at_k) * density(at_k)
 
         state = State(walther.viscosity(temperature), density(temperature), walther, kind)
-        alpha, scatter, source = _alpha(sheet, state)
+        alpha, scatter, source = alpha_of(sheet, state)
         step = _STEP_K
         log_slope = np.log(viscosity(temperature - step) / viscosity(temperature + step))
-        passed = {key: sheet[key] for key in _PASSED if key in sheet}
+        passed = {key: sheet[key] for key in PASSED if key in sheet}
         usual = own_heat(usual_heat(kind, temperature, density_15c), passed)
         extrapolated = "" if COLD_K <= temperature <= HOT_K else " extrapolated"
         return cls(
             viscosity_pa_s=viscosity(temperature),
             pressure_viscosity_per_pa=alpha,
             temperature_k=temperature,
-            viscosity_error=_viscosity_error(walther, others, temperature, "iso_vg" in sheet),
+            viscosity_error=viscosity_error(walther, others, temperature, "iso_vg" in sheet),
             pressure_viscosity_error=scatter,
             density_kg_per_m3=state.density_kg_per_m3,
             viscosity_temperature_per_k=float(log_slope / (2 * step)),
@@ -265,138 +251,11 @@ class Oil:
         )
 
 
-_PASSED = (
-    *("roelands_index", "eyring_stress_pa"),
-    *("conductivity_w_per_m_k", "heat_capacity_j_per_kg_k"),
-)
-_SHEET = (
-    "temperature_k",
-    "iso_vg",
-    "viscosity_40c_mm2_per_s",
-    "viscosity_100c_mm2_per_s",
-    "viscosity_index",
-    "density_15c_kg_per_m3",
-    "kind",
-    "alpha",
-    "pressure_viscosity_per_pa",
-    "pressure_viscosity_error",
-    *_PASSED,
-)
-_CONTRADICTIONS = (
-    ("iso_vg", "viscosity_40c_mm2_per_s"),
-    ("viscosity_100c_mm2_per_s", "viscosity_index"),
-    ("alpha", "pressure_viscosity_per_pa"),
-)
-
-
 def _usual_density(temperature_k: float) -> float:
     return DENSITY_15C / (1 + EXPANSION_PER_K * (temperature_k - DENSITY_K))
-
-
-def _check_names(sheet: Mapping[str, Any]) -> None:
-    for name in sheet:
-        if name not in _SHEET:
-            raise SurfaceError(
-                f"Oil.from_grade: unknown {name}{did_you_mean(name, _SHEET)}; known are "
-                f"{', '.join(_SHEET)}{see('oil')}"
-            )
-    for one, other in _CONTRADICTIONS:
-        if one in sheet and other in sheet:
-            raise SurfaceError(f"Oil.from_grade: gives {one} and {other}: remove one{see('oil')}")
-    if "pressure_viscosity_error" in sheet and "pressure_viscosity_per_pa" not in sheet:
-        raise SurfaceError(
-            "Oil.from_grade: pressure_viscosity_error needs pressure_viscosity_per_pa (an "
-            f"estimated alpha has an error of its own): give both{see('oil')}"
-        )
-
-
-def _needed(sheet: Mapping[str, Any], name: str) -> float:
-    if name not in sheet:
-        raise SurfaceError(
-            f"Oil.from_grade: {name} is missing: give it, such as 313.15 (40 C){see('oil')}"
-        )
-    return _positive(sheet[name], name)
-
-
-def _positive(value: Any, name: str) -> float:  # noqa: ANN401 - user input
-    found = number(value, name, "Oil.from_grade")
-    if not found > 0:
-        raise SurfaceError(f"Oil.from_grade: {name} = {value} must be above 0")
-    return found
-
-
-def _lines(sheet: Mapping[str, Any], kind: str) -> tuple[Walther, list[Walther], str]:
-    """Return the line of D341, its lower and upper bounds, and the source."""
-    place = "Oil.from_grade"
-    if "iso_vg" in sheet:
-        cold = number(sheet["iso_vg"], "iso_vg", place)
-        colds = [cold * (1 - GRADE_ERROR), cold * (1 + GRADE_ERROR)]
-        if cold not in ISO_GRADES:
-            near = min(ISO_GRADES, key=lambda grade: abs(np.log(grade / max(cold, 1e-9))))
-            raise SurfaceError(
-                f"{place}: iso_vg = {cold:g} is no grade of ISO 3448: take {near}, the "
-                f"nearest, or give viscosity_40c_mm2_per_s{see('oil')}"
-            )
-        said = f"ISO VG {cold:g}"
-    elif "viscosity_40c_mm2_per_s" in sheet:
-        cold = _needed(sheet, "viscosity_40c_mm2_per_s")
-        colds, said = [cold], f"{cold:g} mm2/s at 40 C"
-    else:
-        raise SurfaceError(
-            f"{place}: iso_vg is missing: give it, such as 68, or viscosity_40c_mm2_per_s"
-            f"{see('oil')}"
-        )
-    if "viscosity_100c_mm2_per_s" in sheet:
-        hot = _needed(sheet, "viscosity_100c_mm2_per_s")
-        points = [(one, hot) for one in colds]
-        said += f", {hot:g} mm2/s at 100 C"
-    else:
-        low, index, high = USUAL_INDICES[kind]
-        indices, word = [low, high], "usual viscosity index"
-        if "viscosity_index" in sheet:
-            index = number(sheet["viscosity_index"], "viscosity_index", place)
-            indices, word = [index], "viscosity index"
-        hot = hot_viscosity(cold, index)
-        points = []
-        for one, other in product(colds, indices):
-            with contextlib.suppress(SurfaceError):  # so thin that no oil has both
-                points.append((one, hot_viscosity(one, other)))
-        said += f", {word} {index:g}"
-    if not hot < cold:
-        raise SurfaceError(
-            f"{place}: viscosity_100c_mm2_per_s = {hot:g} must be below that at 40 C, "
-            f"{cold:g}; mineral oils have {hot_viscosity(cold, USUAL_INDICES['mineral'][1]):.3g}"
-        )
-    lines = [Walther.through((COLD_K, one), (HOT_K, other)) for one, other in points if other < one]
-    return Walther.through((COLD_K, cold), (HOT_K, hot)), lines, said
-
-
-def _viscosity_error(line: Walther, ends: list[Walther], at_k: float, is_grade: bool) -> float:
-    """Return the relative error of a viscosity: largest of the ends, and of the extrapolation.
-
-    The limit of a grade is at least its limit at 40 C.
-    """
-    known = line.viscosity(at_k)
-    found = [GRADE_ERROR if is_grade else 0.0]
-    for end in ends:
-        try:
-            found.append(abs(end.viscosity(at_k) / known - 1))
-        except SurfaceError:  # thinner than ASTM D341 has it
-            found.append(1 - THINNEST / known)
-    return max(found) + line.extrapolation_error(at_k)
 
 
 def _within(error: float) -> str:
     if error >= 1:
         return f" within a factor of {1 + error:.2g}"
     return f" within {percent(error)}" if error else ""
-
-
-def _alpha(sheet: Mapping[str, Any], state: State) -> tuple[float, float, str]:
-    if "pressure_viscosity_per_pa" in sheet:
-        alpha = _needed(sheet, "pressure_viscosity_per_pa")
-        error = number(
-            sheet.get("pressure_viscosity_error", 0.0), "pressure_viscosity_error", "Oil"
-        )
-        return alpha, error, "given"
-    return estimate_alpha(sheet.get("alpha", "gold"), state)

@@ -10,7 +10,6 @@ from matplotlib.collections import QuadMesh
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ehlwave.inputs.effective_input import keys_of_input
 from ehlwave.results.case_file import (
     CONTACT_PRESSURE,
     central_film,
@@ -22,12 +21,8 @@ from ehlwave.results.case_file import (
 from ehlwave.results.figures import COLOURS
 from ehlwave.results.instants import at_instant
 from ehlwave.results.map_panel import bar_beside, rolling_arrow
-from ehlwave.results.scales_of_figures import (
-    COLUMN,
-    LINE_COLUMN,
-    aspect_note,
-    readable_aspect,
-)
+from ehlwave.results.scales_of_figures import COLUMN, aspect_note, readable_aspect
+from ehlwave.results.undeformed import given_key, rigid_wave, undeformed_history
 
 Floats = NDArray[np.float64]
 
@@ -71,7 +66,7 @@ def units_of(case: xr.Dataset) -> Units:
         return Units(1, 1, 1, 1, 1, ("$x/a$", "$y/b$", "$h/c$", "$p/p_h$", "$T$"))
     a, c = (number(case, name) * 1e6 for name in ("semi_axis_a_m", "hertz_approach_c_m"))
     b = number(case, "semi_axis_b_m") * 1e6 if "semi_axis_b_m" in case else a
-    speed = _given(case, "mean_speed_m_per_s")
+    speed = given_key(case, "mean_speed_m_per_s")
     time = None if speed is None else a / positive(speed, "mean_speed_m_per_s", case)
     names = (r"$x$ [$\mu$m]", r"$y$ [$\mu$m]", r"$h$ [$\mu$m]", "$p$ [GPa]", r"$t$ [$\mu$s]")
     return Units(a, b, c, number(case, "hertz_pressure_pa") * 1e-9, time, names)
@@ -112,11 +107,11 @@ def case_figure(case: xr.Dataset, time: float | None = None) -> Figure:
     with rc_context(STYLE):
         if is_line:
             rows = 3 if has_heat else 2
-            figure = Figure(figsize=(LINE_COLUMN, 2.5 * rows), layout="constrained")
+            figure = Figure(figsize=(COLUMN, 2.5 * rows), layout="constrained")
             lengthwise, *more, history = figure.subplots(rows, 1)
         else:
             rows = 4 if has_heat else 3
-            figure = Figure(figsize=(COLUMN, 2.3 * rows + 0.3), layout="constrained")
+            figure = Figure(figsize=(COLUMN, 1.85 * rows + 0.3), layout="constrained")
             (film_map, pressure_map), (lengthwise, crosswise), (spare, history), *last = (
                 figure.subplots(rows, 2)
             )
@@ -139,6 +134,8 @@ def case_figure(case: xr.Dataset, time: float | None = None) -> Figure:
             _draw_rises(axes, case, units)
         if has_time:
             _draw_history(history, case, units)
+            key = {"loc": "outside lower right", "ncols": 2, "frameon": False}
+            figure.legend(*history.get_legend_handles_labels(), **key)
         else:
             history.set_axis_off()
             history.text(0.5, 0.5, _summary(case, units), ha="center", va="center")
@@ -189,7 +186,7 @@ def _draw_contours(axes: Axes, case: xr.Dataset, units: Units) -> None:
     x, y = case["x"] * units.x, case["y"] * units.y
     lines = axes.contourf(x, y, film, LEVELS, cmap="viridis", extend="both")
     axes.contour(x, y, film, LEVELS, colors="black", linewidths=0.4)
-    bar_beside(axes, lines)
+    bar_beside(axes, lines, ticks=LEVELS[1::2])
     frame_map(axes, case["film"], units)
     axes.set_title("film over smooth central film")
 
@@ -246,7 +243,7 @@ def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
     low, high = film.min(), film.max()
     if undeformed is not None:
         rigid = undeformed * units.film
-        both = _rigid_wave(case, "_2", 1.0) is not None
+        both = rigid_wave(case, "_2", 1.0) is not None
         name = "undeformed, both surfaces" if both else "undeformed"
         axes.plot(case["time"].values * scale, rigid, color="0.6", linewidth=0.9, label=name)
         low, high = min(low, rigid.min()), max(high, rigid.max())
@@ -254,39 +251,9 @@ def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
     if "instant" in case:
         instant = float(case["instant"]) * scale
         axes.axvline(instant, color=COLOURS[1], linewidth=0.9, label="instant of the maps")
-    axes.set_ylim(low - 0.08 * (high - low), high + 0.9 * (high - low))
+    axes.set_ylim(low - 0.08 * (high - low), high + 0.08 * (high - low))
     axes.set(xlabel=units.names[4], ylabel=units.names[2], title="film at the centre in time")
     axes.margins(x=0)
-    axes.legend(loc="upper left", edgecolor="none", framealpha=0.9)
-
-
-def undeformed_history(case: xr.Dataset) -> Floats | None:
-    """Return the film at the centre that rigid waves would leave, in units of c.
-
-    Theory eq. (12) and (13): waves start at the inlet boundary behind a smooth front and move with
-    S, waves of surface 2 with 2 - S. None for smooth cases, standing waves and measured surfaces.
-    """
-    central, slip = central_film(case), number(case, "slip_parameter")
-    waves = [_rigid_wave(case, end, speed) for end, speed in (("", slip), ("_2", 2 - slip))]
-    known = [wave for wave in waves if wave is not None]
-    return np.asarray(central * (1 + sum(known))) if known else None
-
-
-def _rigid_wave(case: xr.Dataset, end: str, slip: float) -> Floats | None:
-    """Return the waves of a surface at the centre over the film; None: it has none that move."""
-    given, key = _given(case, f"amplitude_over_film{end}"), f"wavelength_x_over_a{end}"
-    wave = number(case, key) if key in case else 0.0
-    if given is None or not wave > 0 or case.attrs.get(f"orientation{end}") == "none":
-        return None
-    place = -number(case, "domain_x_min") - slip * case["time"].values
-    front = 10.0 ** (-10 * np.minimum(np.maximum(place / wave, 0) ** 2, 30))
-    amplitude = positive(given, f"amplitude_over_film{end}", case)
-    return np.asarray(amplitude * front * np.cos(2 * np.pi * place / wave))
-
-
-def _given(case: xr.Dataset, key: str) -> float | str | None:
-    """Return the value of a key of the input."""
-    return keys_of_input(str(case.attrs.get("effective_input", ""))).get(key)
 
 
 def conditions_text(case: xr.Dataset, units: Units) -> str:
@@ -304,7 +271,7 @@ def conditions_text(case: xr.Dataset, units: Units) -> str:
 
 def _summary(case: xr.Dataset, units: Units) -> str:
     lines = [str(case.attrs.get("status", ""))]
-    if (oil := _given(case, "oil_over_flooded")) is not None:
+    if (oil := given_key(case, "oil_over_flooded")) is not None:
         lines.append(f"$r$ = {positive(oil, 'oil_over_flooded', case):g}")
     symbol, _, unit = units.names[2].partition(" ")
     for name, text in (("central_film", "central film"), ("minimum_film", "smallest film")):
