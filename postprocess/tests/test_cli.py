@@ -11,6 +11,8 @@ from synthetic import Columns, make_columns, write_results, written_names
 
 from ehlwave.cli import main
 
+pytestmark = pytest.mark.usefixtures("legible_figures")
+
 Capture = pytest.CaptureFixture[str]
 EHLWAVE = [sys.executable, "-m", "ehlwave"]
 KEY = ("orientation", "load_parameter_m", "radius_ratio_d", "wavelength_over_a")
