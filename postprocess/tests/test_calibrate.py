@@ -9,7 +9,7 @@ from studies.calibrate import factors, judged, sample
 from studies.calibrate.contacts import classes_of, scaled, widened
 from studies.programs import ROOT
 
-RECORD = ROOT / "postprocess" / "record" / "accuracy" / "sample.csv"
+RECORD = ROOT / "postprocess" / "record" / "accuracy" / "sample.csv.gz"
 
 
 def errors(kind: str, scale: float, count: int) -> list[factors.Row]:

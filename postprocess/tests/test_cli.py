@@ -11,6 +11,8 @@ from synthetic import Columns, make_columns, write_results, written_names
 
 from ehlwave.cli import main
 
+pytestmark = pytest.mark.usefixtures("legible_figures")
+
 Capture = pytest.CaptureFixture[str]
 EHLWAVE = [sys.executable, "-m", "ehlwave"]
 KEY = ("orientation", "load_parameter_m", "radius_ratio_d", "wavelength_over_a")
@@ -153,18 +155,15 @@ def test_bad_option_values(results_file: Path, capsys: Capture) -> None:
 
 
 @pytest.mark.parametrize("command", [["collapse"], ["refit"], ["table"], ["export", "--csv", "x"]])
-def test_a_newer_format_ends_the_program_with_a_message(tmp_path: Path, command: list[str]) -> None:
+def test_a_newer_format_ends_the_program_with_a_message(
+    tmp_path: Path, command: list[str], capsys: Capture, monkeypatch: pytest.MonkeyPatch
+) -> None:
     source = write_results(tmp_path / "r.h5", make_columns(), format_version=2)
-    finished = subprocess.run(
-        [*EHLWAVE, command[0], str(source), *command[1:]],
-        capture_output=True,
-        text=True,
-        cwd=tmp_path,
-        check=False,
-    )
-    assert finished.returncode == 2
-    assert finished.stderr.startswith(f"ehlwave: error: {source}: format version 2 is newer")
-    assert finished.stderr.count("\n") == 1
+    monkeypatch.chdir(tmp_path)
+    assert main([command[0], str(source), *command[1:]]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith(f"ehlwave: error: {source}: format version 2 is newer")
+    assert said.count("\n") == 1
     assert written_names(tmp_path) == {"r.h5"}
 
 

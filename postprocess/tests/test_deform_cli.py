@@ -13,6 +13,8 @@ import ehlwave
 from ehlwave.cli import main
 from ehlwave.contact.formula import amplitude_ratio_formula, recommended_ratio
 
+pytestmark = pytest.mark.usefixtures("legible_figures")
+
 Capture = pytest.CaptureFixture[str]
 CONDITIONS = ["--conditions", *(f"{key}={value}" for key, value in EXPERIMENT.items())]
 

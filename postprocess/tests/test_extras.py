@@ -1,6 +1,7 @@
 """The core works without the packages of extras, and names the extra that is missing; its pages."""
 
 import importlib.util
+import json
 import re
 import subprocess
 import sys
@@ -38,8 +39,22 @@ def without(text: str, *arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([*command, *arguments], capture_output=True, text=True, check=False)
 
 
-def command_without(*words: str) -> subprocess.CompletedProcess[str]:
-    return without("from ehlwave.cli import main; sys.exit(main())", *words)
+def commands_without(*calls: tuple[str, ...]) -> list[tuple[int, str, str]]:
+    """Return status, output and errors of commands, all in one process."""
+    text = """
+import contextlib, io, json
+from ehlwave.cli import main
+found = []
+for words in json.loads(sys.argv[1]):
+    with contextlib.redirect_stdout(io.StringIO()) as out:
+        with contextlib.redirect_stderr(io.StringIO()) as err:
+            status = main(words)
+    found.append([status, out.getvalue(), err.getvalue()])
+print(json.dumps(found))
+"""
+    done = without(text, json.dumps(calls))
+    assert (done.returncode, done.stderr) == (0, "")
+    return [(status, out, err) for status, out, err in json.loads(done.stdout)]
 
 
 def pages() -> ModuleType:
@@ -83,38 +98,42 @@ def test_the_core_answers_without_extras() -> None:
     assert float(done.stdout) == pytest.approx(8.35e-7, rel=1e-2)
 
 
-@pytest.mark.parametrize("name", ["ehlwave.collapse_figure", "ehlwave.surface.deformed_figure"])
-def test_python_names_the_extra(name: str) -> None:
-    done = without(name)
-    assert done.stderr.endswith("matplotlib is missing: pip install './postprocess[figures]'\n")
-
-
-def test_a_fit_names_the_extra() -> None:
-    done = without("ehlwave.fit_formula([0.5, 1, 2, 5, 10], [0.9, 0.8, 0.63, 0.33, 0.16])")
-    assert done.stderr.endswith("lmfit is missing: pip install './postprocess[figures]'\n")
+def test_python_names_the_extra() -> None:
+    asked = {
+        "ehlwave.collapse_figure": "matplotlib",
+        "ehlwave.surface.deformed_figure": "matplotlib",
+        "ehlwave.fit_formula([0.5, 1, 2, 5, 10], [0.9, 0.8, 0.63, 0.33, 0.16])": "lmfit",
+    }
+    tried = "\n".join(
+        f"try: {code}\nexcept ModuleNotFoundError as error: print(error)" for code in asked
+    )
+    said = without(tried).stdout.splitlines()
+    assert said == [
+        f"{package} is missing: pip install './postprocess[figures]'" for package in asked.values()
+    ]
 
 
 def test_commands_without_figures_run_and_others_name_the_extra(tmp_path: Path) -> None:
     results = write_results(tmp_path / "results.h5", make_columns())
-    done = command_without("table", str(results))
-    assert (done.returncode, done.stderr) == (0, "")
     trace = tmp_path / "trace.csv"
     rows = "\n".join(f"{0.5e-3 * i:.4f},{0.003 * (-1) ** (i // 50)}" for i in range(800))
     trace.write_text(f"x [mm],z [um]\n{rows}\n")
     words = ("deform", str(trace), "--conditions", *CONTACT)
-    done = command_without(*words)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert "lambda ratio" in done.stdout
-    done = command_without(*words, "--output", str(tmp_path / "out"))
-    said = "ehlwave: error: matplotlib is missing: pip install './postprocess[figures]'\n"
-    assert (done.returncode, done.stderr) == (2, said)
-    done = command_without("collapse", str(results), "--output", str(tmp_path / "drawn"))
-    assert (done.returncode, done.stderr) == (2, said)
-    assert not (tmp_path / "drawn").exists()
     (tmp_path / "map.sur").write_text("no surface")
-    done = command_without("deform", str(tmp_path / "map.sur"), "--conditions", *CONTACT)
-    assert done.returncode == 2
-    assert "pip install './postprocess[instruments]'" in done.stderr
+    table, deform, drawn, collapse, measured = commands_without(
+        ("table", str(results)),
+        words,
+        (*words, "--output", str(tmp_path / "out")),
+        ("collapse", str(results), "--output", str(tmp_path / "drawn")),
+        ("deform", str(tmp_path / "map.sur"), "--conditions", *CONTACT),
+    )
+    assert (table[0], table[2], deform[0], deform[2]) == (0, "", 0, "")
+    assert "lambda ratio" in deform[1]
+    said = "ehlwave: error: matplotlib is missing: pip install './postprocess[figures]'\n"
+    assert (drawn[0], drawn[2]) == (collapse[0], collapse[2]) == (2, said)
+    assert not (tmp_path / "drawn").exists()
+    assert measured[0] == 2
+    assert "pip install './postprocess[instruments]'" in measured[2]
 
 
 def test_the_parser_needs_the_standard_library_alone() -> None:

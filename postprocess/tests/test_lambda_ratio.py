@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from contact import BALL, EXPERIMENT, experiment
+from long_tests import IS_LONG
 
 import ehlwave
 from ehlwave.laws.atlas.atlas import load_atlas, shipped
@@ -196,7 +197,7 @@ MARCHES = (
     (40, 10, 1, 1.0, 0.5, 1),
     (100, 12.05, 1, 1.2, 0.1, 1.5),
     (60, 8, 1, 1.0, 0.2, 0.7),
-)
+)[:: 1 if IS_LONG else 2]
 
 
 @pytest.mark.skipif(not has_programs(), reason="the programs are not built")

@@ -21,7 +21,7 @@ from ehlwave.surface import figures as deform_figures
 from ehlwave.writing import LIST_NAME, OutputError, Writer
 
 Capture = pytest.CaptureFixture[str]
-DEFAULT = "2000" if os.environ.get("EHLWAVE_LONG_TESTS") else "16"
+DEFAULT = "2000" if os.environ.get("EHLWAVE_LONG_TESTS") else "10"
 DRAWS = int(os.environ.get("EHLWAVE_DRAWS", DEFAULT))
 """Folders, in each of which two commands run, and once more where they succeed."""
 

@@ -22,6 +22,8 @@ from ehlwave.stress import (
     stress_of_case,
 )
 
+pytestmark = pytest.mark.usefixtures("legible_figures")
+
 Capture = pytest.CaptureFixture[str]
 A, PH = 2e-4, 1e9
 

@@ -1,7 +1,7 @@
 !> Factors of declared errors. Written by `scripts/study accuracy --calibrate`: do not edit.
 !>
 !> 99 % of the errors of 1485 contacts are below factor times rule, theory eq. (E1). Errors:
-!> postprocess/record/accuracy/sample.csv.
+!> postprocess/record/accuracy/sample.csv.gz.
 module ehlwave_error_factors
    use ehlwave_kinds, only: dp
    implicit none (type, external)

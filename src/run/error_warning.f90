@@ -23,7 +23,7 @@ contains
          if (.not. is_worst(list, k)) cycle
          if (text /= '') text = text//', '
          associate (item => list%items(k))
-            text = text//item%error_of//' within '//to_text(100*item%number, merge(2, 3, item%number < 1))//' %'
+            text = text//item%error_of//' '//to_text(100*item%number, merge(2, 3, item%number < 1))//' %'
          end associate
       end do
       if (text /= '') text = 'large errors: '//text//'; use more cells (&grid) or an accuracy (&solver)'

@@ -8,7 +8,7 @@ import unittest
 from dataclasses import replace
 from pathlib import Path
 
-from ehlwave_program import SKIPPED, last_line, namelist, run
+from ehlwave_program import IS_LONG, SKIPPED, last_line, namelist, run
 
 try:
     import h5py
@@ -21,7 +21,7 @@ except ImportError as error:
     sys.exit(SKIPPED)
 
 SEED = 340034
-CONTACTS = 40      # contacts of each kind
+CONTACTS = 40 if IS_LONG else 15      # contacts of each kind
 ROUND_OFF = 1e-12
 OILS = ({}, {"flow_law": "eyring", "eyring_stress_pa": 4e6}, {"flow_law": "carreau", "carreau_modulus_pa": 2e6, "carreau_exponent": 0.6})
 

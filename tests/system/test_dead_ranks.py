@@ -11,10 +11,10 @@ from torture import CIRCUMSTANCES
 
 RANKS = 3
 # call of MPI, the how manieth, rank that dies in it: begin, settings for all, cases and outcomes, all agree, end
-DEATHS = ["mpi_init 1 1", "mpi_bcast 1 0", "mpi_bcast 2 2", "mpi_recv 1 1", "mpi_send 3 1", "mpi_isend 4 0", "mpi_isend 1 1",
-          "mpi_allreduce 1 1", "mpi_finalize 1 0"]
-MORE = ["mpi_init 1 0", "mpi_bcast 1 1", "mpi_bcast 3 0", "mpi_bcast 4 1", "mpi_recv 3 2", "mpi_recv 2 0", "mpi_recv 5 0",
-        "mpi_send 1 2", "mpi_isend 2 2", "mpi_isend 2 0", "mpi_isend 8 0", "mpi_allreduce 1 0", "mpi_finalize 1 2"]
+DEATHS = ["mpi_init 1 1", "mpi_bcast 1 0", "mpi_recv 1 1", "mpi_send 3 1", "mpi_isend 4 0", "mpi_allreduce 1 1",
+          "mpi_finalize 1 0"]
+MORE = ["mpi_init 1 0", "mpi_bcast 2 2", "mpi_isend 1 1", "mpi_bcast 1 1", "mpi_bcast 3 0", "mpi_bcast 4 1",
+        "mpi_recv 3 2", "mpi_recv 2 0", "mpi_recv 5 0", "mpi_send 1 2", "mpi_isend 2 2", "mpi_isend 2 0", "mpi_isend 8 0", "mpi_allreduce 1 0", "mpi_finalize 1 2"]
 
 
 class DeadRanks(FolderTest):

@@ -15,7 +15,7 @@ REFUSED, UNFINISHED = 2, 85
 GRID = {"cells_x": 16, "cells_y": 16}
 CONTACT = {"load_parameter_m": 20, "lubricant_parameter_l": 5, "radius_ratio_d": 1}
 ROWS = "load_parameter_m,lubricant_parameter_l,radius_ratio_d\n20,5,1\n"
-DRAWS = {"case": 2000, "sweep": 2000} if IS_LONG else {"case": 150, "sweep": 40}
+DRAWS = {"case": 2000, "sweep": 2000} if IS_LONG else {"case": 100, "sweep": 25}
 SUFFIXES = [".h5"]*5 + [".csv", ".txt", ".store", ""]
 SEED = int(os.environ.get("EHLWAVE_SEED", "33"))
 

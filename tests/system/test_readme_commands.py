@@ -91,6 +91,10 @@ def lines(wanted):
     return [(readme, line) for readme in READMES for block in indented(readme) for line in block if kind(line) == wanted]
 
 
+def write_no_figure(_figure, path, **_options):
+    Path(path).write_text("a figure")
+
+
 class Commands(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -178,9 +182,10 @@ class Commands(unittest.TestCase):
                     self.command(line)
 
     def command(self, line):
-        """Run `ehlwave` in this process: loading its libraries takes longer than most commands."""
+        """Run `ehlwave` in this process: loading its libraries takes longer than most commands, and so does drawing, which tests of
+        the package do."""
         from ehlwave.cli import main
-        with self.as_reader() as said:
+        with self.as_reader() as said, mock.patch("matplotlib.figure.Figure.savefig", write_no_figure):
             status = main(shlex.split(line)[1:])
         self.assertEqual(status, 0, said.getvalue())
 

@@ -5,7 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import HANGS_S, SKIPPED, TestCase, last_line, namelist, run
+from ehlwave_program import HANGS_S, IS_LONG, SKIPPED, TestCase, last_line, namelist, run
 
 try:
     from studies.stability.cases import quick_cases, sliding_cases
@@ -50,9 +50,9 @@ class StabilityMap(TestCase):
 
     def test_sliding_sample(self):
         keys = {"load_parameter_m": 30, "lubricant_parameter_l": 6, "eyring_stress_pa": 5e5}
-        rows = self.rows([case for case in sliding_cases()
-                          if all(case.value(key) == value for key, value in keys.items())])
-        self.assertEqual([row.outcome for row in rows], 18*[CONVERGED])
+        cases = [case for case in sliding_cases() if all(case.value(key) == value for key, value in keys.items())]
+        self.assertEqual(len(cases), 18)
+        self.assertEqual({row.outcome for row in self.rows(cases if IS_LONG else cases[::3])}, {CONVERGED})
 
     def test_rung_is_told(self):
         """A solution that takes more steps than it may is found by continuation, the same to the tolerance."""

@@ -266,19 +266,15 @@ class SweepResume(FolderTest):
     def test_stopped_march_goes_on_bit_for_bit(self):
         self.check_stopped_march(LONG)
 
-    def test_stopped_march_of_fas_goes_on_bit_for_bit(self):
-        self.check_stopped_march({**LONG, "solver": {"method": "fas"}})
-
-    def test_stopped_march_with_an_equation_of_motion_goes_on_bit_for_bit(self):
-        self.check_stopped_march({**LONG, "dynamics": {"load_balance": "equation_of_motion", "natural_frequency": 4}})
+    def test_stopped_march_of_fas_that_swings_goes_on_bit_for_bit(self):
+        """With an equation of motion, and the linear response, which is kept, too."""
+        self.check_stopped_march({**LONG, "solver": {"method": "fas"}, "waviness": {"response": "both"},
+                                  "dynamics": {"load_balance": "equation_of_motion", "natural_frequency": 4}})
 
     def test_stopped_march_with_rescues_goes_on_bit_for_bit(self):
         self.check_stopped_march(RESCUED)
         _, data = read(self.folder/"results.h5")
         self.assertGreater(data["rescued_solutions"][0], 20)
-
-    def test_stopped_march_with_a_linear_response_goes_on_bit_for_bit(self):
-        self.check_stopped_march({**LONG, "waviness": {"response": "both"}})
 
     def test_stopped_march_of_a_starved_contact_goes_on_bit_for_bit(self):
         self.check_stopped_march({**LONG, "inlet": {"oil_over_flooded": 0.8, "oil_change_factor": 0.7}})

@@ -10,10 +10,10 @@ from hdf5_reading import read   # noqa: F401 - leaves as skipped without h5py
 from ehlwave_program import IS_LONG
 from torture import inject, spoil_days, torture
 
-CASES = (160, 640, 2560)   # as many as it takes for the sweep not to be over before it is disturbed
-DISTURBANCES = 7 if IS_LONG else 4
-FEWEST = 4 if IS_LONG else 3
-FAULTS = 24 if IS_LONG else 7
+CASES = (160, 640, 2560) if IS_LONG else (80, 320, 1280)   # as many as it takes for the sweep not to be over before it is disturbed
+DISTURBANCES = 7 if IS_LONG else 3
+FEWEST = 4 if IS_LONG else 2
+FAULTS = 24 if IS_LONG else 4
 DAYS = 10 if IS_LONG else 1   # days of each mode
 
 

@@ -6,7 +6,7 @@ import unittest
 from dataclasses import replace
 from pathlib import Path
 
-from ehlwave_program import SKIPPED, run
+from ehlwave_program import IS_LONG, SKIPPED, run
 
 try:
     import numpy as np
@@ -83,7 +83,7 @@ class Superposition(unittest.TestCase):
         waves = [(0.6, 12e-9, 0.3), (0.9, 15e-9, 2.0), (1.7, 15e-9, 4.0)]
         rough = sum(height*np.cos(2*np.pi*x/(wave*a) + phase) for wave, height, phase in waves)
         ridge = 40e-9*np.exp(-((x - x[-1]/2)/(0.3*a))**2)
-        for name, heights in (("rough", rough), ("ridge", ridge)):
+        for name, heights in (("rough", rough), ("ridge", ridge))[0 if IS_LONG else 1:]:
             by_table, by_formula = self.errors(name, heights, step)
             self.assertLess(by_table, 0.10, name)
             # The formula has amplitudes only: most of its error is the missing phase.

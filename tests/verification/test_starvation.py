@@ -80,7 +80,7 @@ def extrapolated(r, wave):
 class Starvation(TestCase):
     def test_film(self):
         """R at mesh size 0 within 2 % of the other solver's; its error estimate covers the change on finer grids."""
-        for r, (peer, _) in PEER.items():
+        for r, (peer, _) in list(PEER.items())[::1 if IS_LONG else 2]:
             with self.subTest(r=r):
                 results = [contact(r, cells) for cells in (16, 32, 64)]
                 values = [result["film_over_flooded"] for result in results]
@@ -100,7 +100,7 @@ class Starvation(TestCase):
     def test_responses(self):
         """Ad/Ai on the grid of the other solver, where oil is not short."""
         some = slice(None, None, 1 if IS_LONG else 3)
-        for r in (20, 2, 1):
+        for r in (20, 2, 1) if IS_LONG else (1,):
             ratios, _ = responses(r, 64, WAVES[some])
             for pattern, ratio, peer in zip(WAVES[some], ratios, PEER[r][1][some], strict=True):
                 with self.subTest(r=r, pattern=pattern):
@@ -125,7 +125,7 @@ class Starvation(TestCase):
     @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
     def test_responses_of_the_same_film(self):
         """Ad/Ai of little oil: its film matches the other solver's on its grid, where it is 3.5 and 4.5 % too thin."""
-        for r, same, within in ((0.7, 0.671, 0.01), (0.5, 0.4785, 0.02)):
+        for r, same, within in ((0.7, 0.671, 0.01), (0.5, 0.4785, 0.02))[0 if IS_LONG else 1:]:
             some = slice(1, None, 2 if IS_LONG else 4)
             ratios, film = responses(same, 64, WAVES[some])
             self.check_close(film, PEER[r][0][2], 0.005, "R")
@@ -136,7 +136,7 @@ class Starvation(TestCase):
     def test_orders(self):
         """R is of second order and its estimate is right; Ad/Ai differs from finer grids by no more than its estimate."""
         wave = waves("transverse", 1)
-        for r in (1, 0.5):
+        for r in (1, 0.5) if IS_LONG else (0.5,):
             results = [contact(r, cells, waviness=wave) for cells in (16, 32, 64)]
             films = [result["film_over_flooded"] for result in results]
             order = math.log2((films[1] - films[0])/(films[2] - films[1]))
@@ -207,7 +207,7 @@ class Starvation(TestCase):
 
     def test_march(self):
         """Waves of 1 % of the film in time against the linear response: 0.5 % of Ai."""
-        for r in (2, 1, 0.6):
+        for r in (2, 1, 0.6) if IS_LONG else (0.6,):
             result = contact(r, grid={"cells_x": 144}, waviness=waves("transverse", 0.5, "both", 0.01),
                              solver={"settling_periods": 2, "error_estimate": "model"})
             self.assertLess(abs(result["amplitude_ratio_fit"] - result["harmonic_ratio"]), 0.005)
@@ -337,8 +337,9 @@ class Starvation(TestCase):
         """The starved solve takes at most 2.5 times the counted work of the flooded solve; measured 1.2 to 2.1.
 
         Of the last, the menisci are far from the contact, and the gap of the last two is full from the inlet edge on."""
-        ratios = [contact(r, 32)["starved_over_flooded_work"] for r in (2, 1, 0.6, 0.3)]
-        for m, l, d, cells in ((1000, 12.05, 0.1, 128), (1000, 20, 0.3, 128), (100, 12.05, 0.1, 96), (100, 2, 0.1, 96)):
+        ratios = [contact(r, 32)["starved_over_flooded_work"] for r in ((2, 1, 0.6, 0.3) if IS_LONG else (1, 0.3))]
+        for m, l, d, cells in ((1000, 12.05, 0.1, 128), (1000, 20, 0.3, 128), (100, 12.05, 0.1, 96),
+                               (100, 2, 0.1, 96))[::1 if IS_LONG else 2]:
             grid = {"x_min": -4.5, "edges": "flooded", "cells_x": cells, "cells_y": 64}
             ratios.append(solve(m=m, l=l, d=d, grid=grid, inlet={"oil_over_flooded": 3})["starved_over_flooded_work"])
         report(f"starved over flooded: {[round(ratio, 2) for ratio in ratios]}")

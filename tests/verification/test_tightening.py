@@ -39,7 +39,7 @@ class Tightening(TestCase):
                 report(f"dT/hX = {ratio}: order {self.check_order(fits, 1.7, 'Ad/Ai'):.2f} of {fits}")
 
     def test_slip_runs(self):
-        for slip in [0.5, 1.5]:
+        for slip in [0.5, 1.5] if IS_LONG else [1.5]:
             with self.subTest(slip=slip):
                 result = wavy(64, "isotropic", 1, conditions={"slip_parameter": slip})
                 self.assertEqual(result["status"], "converged")

@@ -5,7 +5,7 @@ import math
 import unittest
 from pathlib import Path
 
-from ehlwave_program import FolderTest, last_line, namelist, report, run, solve
+from ehlwave_program import IS_LONG, FolderTest, last_line, namelist, report, run, solve
 
 try:
     import h5py
@@ -102,7 +102,7 @@ class SpeedOfShare(FolderTest):
 
     def test_both_ways(self):
         """The speed does not depend on the one at which the continuation begins."""
-        speeds = [contact(192, speed, waviness=WAVE, share=0.4)["mean_speed_m_per_s"] for speed in (0.2, 0.05, 0.01)]
+        speeds = [contact(192, speed, waviness=WAVE, share=0.4)["mean_speed_m_per_s"] for speed in ((0.2, 0.05, 0.01) if IS_LONG else (0.2, 0.01))]
         self.check_close(max(speeds), min(speeds), 1e-7, "speeds")
 
     def test_given_speed(self):
@@ -133,7 +133,7 @@ class DryLimits(FolderTest):
     def test_dry_wave(self):
         """Westergaard's half widths at the centre, where the mean pressure is that of Hertz."""
         wavelength = 0.1
-        for half_width in (0.2, 0.3, 0.4):
+        for half_width in (0.2, 0.3, 0.4) if IS_LONG else (0.3,):
             peak = 0.6e9/math.sin(math.pi*half_width)**2
             amplitude = 2*wavelength*1.06194690e-4*peak/(math.pi*226e9)
             found, x, pressure = self.fields(groups_of(576, 1e-4, grid={"x_min": -1.5, "x_max": 1.5}, waviness=WAVE | {
@@ -232,7 +232,7 @@ class Ball(FolderTest):
     def test_march(self):
         """Marches of a ball with isotropic waves that touch, in rolling and sliding, of a Newtonian and a Ree-Eyring oil."""
         eyring = self.GROUPS["lubricant"] | {"flow_law": "eyring", "eyring_stress_pa": 1e7}
-        for slip, lubricant in ((1, self.GROUPS["lubricant"]), (1.5, eyring)):
+        for slip, lubricant in ((1, self.GROUPS["lubricant"]), (1.5, eyring))[0 if IS_LONG else 1:]:
             found = self.march(slip=slip, speed=0.05, lubricant=lubricant)
             self.assertGreater(found["touching_share"], 0.01)
             self.assertLess(found["residual"], 1e-9)

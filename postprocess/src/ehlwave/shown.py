@@ -1,5 +1,6 @@
 """How objects show themselves: a line of text, a table in notebooks; never their arrays."""
 
+import math
 import re
 from collections.abc import Mapping
 from html import escape
@@ -52,5 +53,21 @@ def percent(share: float) -> str:
 
 def within(value: float, error: float | None, unit: str = "") -> str:
     """Return a number with its relative error, where it is known."""
+    most = value if error is None else value * (1 + error)
     said = f"{value:.4g}{unit}"
-    return said if error is None else f"{said} within {percent(error)}"
+    return said if error is None else f"{said} {spread(error, f'{most:.2g}{unit}')}"
+
+
+def spread(error: float, most: str) -> str:
+    """Return a relative error in words, from 100 % on as the range up to `most`.
+
+    Examples
+    --------
+    >>> spread(0.35, "0.27 um")
+    'within 35 %'
+    >>> spread(1.11, "2.1 um")
+    '(0 to 2.1 um: error 111 %)'
+    """
+    if abs(error) < PLAIN or not math.isfinite(error):
+        return f"within {percent(error)}"
+    return f"(0 to {most}: error {percent(error)})"

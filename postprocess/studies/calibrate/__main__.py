@@ -1,6 +1,7 @@
 """Calibration of declared errors: draw and compute contacts, judge them, write the factors."""
 
 import argparse
+import gzip
 import sys
 from pathlib import Path
 
@@ -42,8 +43,8 @@ def _judge(options: argparse.Namespace, known: dict[str, str]) -> int:
     rows: list[Row] = []
     for contact in contacts.values():
         rows += judged.errors_of(contact, table, known, options.folder)
-    _record(rows, "sample.csv", options.folder)
-    rows = factors.read_errors(RECORD / "sample.csv")
+    _record(rows, "sample.csv.gz", options.folder)
+    rows = factors.read_errors(RECORD / "sample.csv.gz")
     held_out = factors.coverage(rows, table)
     _record(held_out, "coverage.csv", options.folder)
     factors.write_table(factors.factors(rows, table), len({row["contact"] for row in rows}))
@@ -54,8 +55,11 @@ def _judge(options: argparse.Namespace, known: dict[str, str]) -> int:
 
 def _record(rows: list[Row], name: str, folder: Path) -> None:
     """Write a table to the folder of the run, and to the record in place of the former."""
-    write_rows(folder / name, rows, digits=4)
-    Writer(overwrite=True).text(RECORD / name, (folder / name).read_text(encoding="utf-8"))
+    path = folder / name.removesuffix(".gz")
+    write_rows(path, rows, digits=4)
+    data = path.read_bytes()
+    kept = gzip.compress(data, mtime=0) if name.endswith(".gz") else data
+    Writer(overwrite=True).data(RECORD / name, kept)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Factors of declared errors from the sample, and their coverage of contacts left out."""
 
 import csv
+import gzip
 import math
 from collections.abc import Sequence
 from pathlib import Path
@@ -137,13 +138,14 @@ def _mean(values: list[float]) -> float:
 
 
 def read_errors(path: Path) -> list[Row]:
-    """Return the errors of a record."""
+    """Return the errors of a record, a CSV file or a compressed one."""
     texts = ("classes", "quantity", "kind", "basis", "resolved", "is_large")
-    with path.open(newline="", encoding="utf-8") as file:
-        return [
-            {name: cell if name in texts else float(cell or "nan") for name, cell in row.items()}
-            for row in csv.DictReader(file)
-        ]
+    data = path.read_bytes()
+    text = (gzip.decompress(data) if path.suffix == ".gz" else data).decode("utf-8")
+    return [
+        {name: cell if name in texts else float(cell or "nan") for name, cell in row.items()}
+        for row in csv.DictReader(text.splitlines())
+    ]
 
 
 def read_table(path: Path = TABLE) -> dict[str, float]:
@@ -191,7 +193,7 @@ HEAD = """\
 !> Factors of declared errors. Written by `scripts/study accuracy --calibrate`: do not edit.
 !>
 !> 99 % of the errors of {contacts} contacts are below factor times rule, theory eq. (E1). Errors:
-!> postprocess/record/accuracy/sample.csv.
+!> postprocess/record/accuracy/sample.csv.gz.
 module ehlwave_error_factors
    use ehlwave_kinds, only: dp
    implicit none (type, external)

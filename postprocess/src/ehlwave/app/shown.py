@@ -9,7 +9,7 @@ from typing import Any
 
 from ehlwave.app.messages import plain, words
 from ehlwave.app.task import DOTS_PER_INCH, Answer
-from ehlwave.shown import percent
+from ehlwave.shown import percent, spread, within
 from ehlwave.surface.answer import answer_of
 from ehlwave.surface.narrower import narrower
 from ehlwave.surface.predict import Deformed
@@ -48,10 +48,11 @@ def headline(answer: Answer) -> str:
         return f"<b>{head}</b>{mark}{rest}"
     if found is not None and found.statistics.lambda_ratio_after is not None:
         s = found.statistics
-        error = "error not known" if s.lambda_error is None else f"within {percent(s.lambda_error)}"
+        lambda_ratio, _, error = within(s.lambda_ratio_after, s.lambda_error).partition(" ")
         return (
-            f"<b>Lambda ratio {s.lambda_ratio_after:.4g}</b> {error}, with the roughness as it is "
-            f"deformed in the contact ({s.lambda_ratio_before:.4g} with the undeformed one). "
+            f"<b>Lambda ratio {lambda_ratio}</b> {error or 'error not known'}, with the "
+            f"roughness as it is deformed in the contact ({s.lambda_ratio_before:.4g} with the "
+            "undeformed one). "
             f"<b>Film {s.mean_film_m * UM:.4g} um</b>, {_least(found)}."
         )
     if film is None:
@@ -61,9 +62,10 @@ def headline(answer: Answer) -> str:
         central, least, unit = film.central_m * UM, (film.minimum_m or math.nan) * UM, " um"
     thinnest = "the smallest film is not known"
     if math.isfinite(least):
-        thinnest = f"{least:.4g}{unit} within {percent(film.minimum_error)} at the thinnest place"
+        thinnest = f"{within(least, film.minimum_error, unit)} at the thinnest place"
+    most = f"{central * (1 + film.central_error):.2g}{unit}"
     return (
-        f"<b>Film {central:.4g}{unit}</b> within {percent(film.central_error)} at the contact "
+        f"<b>Film {central:.4g}{unit}</b> {spread(film.central_error, most)} at the contact "
         f"centre, {thinnest}."
     )
 
@@ -155,8 +157,10 @@ def rows(part: Any, hidden: Iterable[str] = ()) -> Iterable[tuple[str, str]]:  #
             unknown += [words(name)] if name not in joined else []
         elif not is_dataclass(value) and name not in joined:
             error = values.get(errors[name])
-            within = f" within {percent(error)}" if isinstance(error, float) else ""
-            yield words(name), _value(name, value) + within
+            said = _value(name, value)
+            if isinstance(error, float):
+                said += f" {spread(error, _value(name, value * (1 + error)))}"
+            yield words(name), said
     unknown = [name for name in unknown if name != words("heated")]
     if unknown:
         yield NOT_KNOWN, ", ".join(unknown)

@@ -93,7 +93,9 @@ def replenish_figure(table: pd.DataFrame) -> "Figure":
     """Draw the film over the flooded film against overrollings, with bands."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(5.2, 3.4), layout="constrained")
+    from ehlwave.results.scales_of_figures import COLUMN
+
+    figure = Figure(figsize=(COLUMN, 3.2), layout="constrained")
     axes = figure.subplots()
     n = table["overrollings"]
     both = "film_over_flooded"

@@ -17,7 +17,7 @@ import xarray as xr
 from ehlwave.elements.columns import TEXTS
 from ehlwave.elements.figure import element_figure
 from ehlwave.elements.formulas import FORMULAS, heading, written
-from ehlwave.shown import percent, split_words
+from ehlwave.shown import split_words, spread
 
 DOTS_PER_INCH = 130
 SUMMARY = (
@@ -81,8 +81,11 @@ def _summed(table: xr.Dataset, name: str) -> str:
     if isinstance(value, float) and math.isnan(value):
         return f"{FORMULAS[name].label}: not available"
     error = table.attrs.get(f"{name.removesuffix('_w')}_error")
-    within = f" within {percent(error)}" if isinstance(error, float) else ""
-    return f"{FORMULAS[name].label}: {written(name, value)} {FORMULAS[name].unit}".rstrip() + within
+    label, unit = FORMULAS[name].label, FORMULAS[name].unit
+    said = f"{label}: {written(name, value)} {unit}".rstrip()
+    if not isinstance(error, float):
+        return said
+    return f"{said} {spread(error, f'{written(name, value * (1 + error))} {unit}'.rstrip())}"
 
 
 def reasons(table: xr.Dataset) -> list[str]:

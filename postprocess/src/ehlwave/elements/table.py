@@ -12,7 +12,7 @@ from ehlwave.elements.answers import Questions, Row, row_of
 from ehlwave.elements.columns import COLUMNS, TEXTS
 from ehlwave.elements.formulas import FORMULAS, written
 from ehlwave.elements.place import ElementContact
-from ehlwave.shown import percent
+from ehlwave.shown import spread
 
 WORST = {
     "minimum_film_m": ("thinnest film", min, 1e6, "um"),
@@ -110,7 +110,9 @@ def _within(table: xr.Dataset, name: str, index: Any) -> str:  # noqa: ANN401
     """Return the relative error of a value in words, where it is known."""
     found = table.get(ERRORS.get(name, ""))
     share = float("nan") if found is None else float(found.isel(index))
-    return f" within {percent(share)}" if np.isfinite(share) else ""
+    _, _, factor, unit = WORST[name]
+    most = f"{float(table[name].isel(index)) * factor * (1 + share):.2g} {unit}".rstrip()
+    return f" {spread(share, most)}" if np.isfinite(share) else ""
 
 
 def unanswered(table: xr.Dataset) -> int:

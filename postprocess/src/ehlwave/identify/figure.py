@@ -45,9 +45,11 @@ def identification_figure(found: Identified) -> "Figure":
     """
     from matplotlib.figure import Figure
 
+    from ehlwave.results.scales_of_figures import COLUMN, PAGE
+
     data = found.measurements
     results = [name for name in RESULTS if name in data.result]
-    figure = Figure(figsize=(4.8 * len(results), 5.2), layout="constrained")
+    figure = Figure(figsize=(min(COLUMN * len(results), PAGE), 5.2), layout="constrained")
     panels = figure.subplots(
         2, len(results), squeeze=False, sharex="col", gridspec_kw={"height_ratios": (2.5, 1)}
     )
@@ -67,6 +69,7 @@ def _said(parameter) -> str:  # noqa: ANN001 - a Parameter
 
 def _draw(above, below, found: Identified, name: str) -> None:  # noqa: ANN001 - axes
     from ehlwave.results.figures import COLOURS
+    from ehlwave.results.scales_of_figures import plain_numbers
 
     data = found.measurements
     rows = [k for k, one in enumerate(data.result) if one == name]
@@ -89,21 +92,12 @@ def _draw(above, below, found: Identified, name: str) -> None:  # noqa: ANN001 -
     below.set_xlabel(LABELS.get(key, key) if key else "row")
     if key and x.min() > 0 and x.max() > 4 * x.min():
         above.set_xscale("log")
-        _number(below.xaxis)
+        plain_numbers(below.xaxis)
         if name in SCALES:
             above.set_yscale("log")
-            _number(above.yaxis)
+            plain_numbers(above.yaxis)
     if len(set(groups)) > 1:
         above.legend(frameon=False, fontsize=8)
-
-
-def _number(axis) -> None:  # noqa: ANN001 - an axis of matplotlib
-    """Label a logarithmic axis by plain numbers."""
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
-
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axis.set_minor_formatter(NullFormatter())
 
 
 def _group(group: tuple[tuple[str, float], ...]) -> str:

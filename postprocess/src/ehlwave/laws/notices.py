@@ -37,7 +37,7 @@ def notices_of(asked: Asked, film: Film) -> list[str]:
         "friction": film.friction_error,
     }
     large = [
-        f"{name} within {percent(error)}"
+        f"{name} {percent(error)}"
         for name, error in errors.items()
         if error is not None and error > LARGE_ERROR
     ]

@@ -135,12 +135,16 @@ def _draw_line(axes: Axes, case: xr.Dataset, units: Units, tops: tuple[float, fl
 
 
 def _pictures(frames: Iterator[Figure]) -> list[Image.Image]:
+    """Return the frames with a palette of their own each, dithered, since GIF has 256 colours."""
     pictures = []
     for figure in frames:
         canvas = FigureCanvasAgg(figure)
         figure.set_dpi(DOTS_PER_INCH)
         canvas.draw()
-        pictures.append(Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy()))
+        full = Image.fromarray(np.asarray(canvas.buffer_rgba())[:, :, :3].copy())
+        palette = full.quantize(256, Image.Quantize.MAXCOVERAGE)
+        pictures.append(full.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG))
+        figure.set_layout_engine("none")  # the layout of the first frame holds for all
     return pictures
 
 

@@ -21,12 +21,7 @@ from ehlwave.results.case_file import (
 from ehlwave.results.figures import COLOURS
 from ehlwave.results.instants import at_instant
 from ehlwave.results.map_panel import bar_beside, rolling_arrow
-from ehlwave.results.scales_of_figures import (
-    COLUMN,
-    LINE_COLUMN,
-    aspect_note,
-    readable_aspect,
-)
+from ehlwave.results.scales_of_figures import COLUMN, aspect_note, readable_aspect
 from ehlwave.results.undeformed import given_key, rigid_wave, undeformed_history
 
 Floats = NDArray[np.float64]
@@ -112,11 +107,11 @@ def case_figure(case: xr.Dataset, time: float | None = None) -> Figure:
     with rc_context(STYLE):
         if is_line:
             rows = 3 if has_heat else 2
-            figure = Figure(figsize=(LINE_COLUMN, 2.5 * rows), layout="constrained")
+            figure = Figure(figsize=(COLUMN, 2.5 * rows), layout="constrained")
             lengthwise, *more, history = figure.subplots(rows, 1)
         else:
             rows = 4 if has_heat else 3
-            figure = Figure(figsize=(COLUMN, 2.3 * rows + 0.3), layout="constrained")
+            figure = Figure(figsize=(COLUMN, 1.85 * rows + 0.3), layout="constrained")
             (film_map, pressure_map), (lengthwise, crosswise), (spare, history), *last = (
                 figure.subplots(rows, 2)
             )
@@ -139,6 +134,8 @@ def case_figure(case: xr.Dataset, time: float | None = None) -> Figure:
             _draw_rises(axes, case, units)
         if has_time:
             _draw_history(history, case, units)
+            key = {"loc": "outside lower right", "ncols": 2, "frameon": False}
+            figure.legend(*history.get_legend_handles_labels(), **key)
         else:
             history.set_axis_off()
             history.text(0.5, 0.5, _summary(case, units), ha="center", va="center")
@@ -189,7 +186,7 @@ def _draw_contours(axes: Axes, case: xr.Dataset, units: Units) -> None:
     x, y = case["x"] * units.x, case["y"] * units.y
     lines = axes.contourf(x, y, film, LEVELS, cmap="viridis", extend="both")
     axes.contour(x, y, film, LEVELS, colors="black", linewidths=0.4)
-    bar_beside(axes, lines)
+    bar_beside(axes, lines, ticks=LEVELS[1::2])
     frame_map(axes, case["film"], units)
     axes.set_title("film over smooth central film")
 
@@ -254,10 +251,9 @@ def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
     if "instant" in case:
         instant = float(case["instant"]) * scale
         axes.axvline(instant, color=COLOURS[1], linewidth=0.9, label="instant of the maps")
-    axes.set_ylim(low - 0.08 * (high - low), high + 0.9 * (high - low))
+    axes.set_ylim(low - 0.08 * (high - low), high + 0.08 * (high - low))
     axes.set(xlabel=units.names[4], ylabel=units.names[2], title="film at the centre in time")
     axes.margins(x=0)
-    axes.legend(loc="upper left", edgecolor="none", framealpha=0.9)
 
 
 def conditions_text(case: xr.Dataset, units: Units) -> str:

@@ -163,11 +163,12 @@ def contact_figure(contact: xr.Dataset) -> "Figure":
     from matplotlib.layout_engine import ConstrainedLayoutEngine
 
     from ehlwave.results.map_panel import rolling_arrow
+    from ehlwave.results.scales_of_figures import COLUMN, PAGE
 
     is_line = contact["y"].size == 1
     film = contact["film"] / central_film(contact)
     with rc_context(_STYLE):
-        width, panels = (4.4, 1) if is_line else (9.4, 3)
+        width, panels = (COLUMN, 1) if is_line else (PAGE, 3)
         figure = Figure(figsize=(width, 2.8), layout=ConstrainedLayoutEngine(w_pad=0.12))
         axes = figure.subplots(1, panels, squeeze=False)[0]
         if not is_line:

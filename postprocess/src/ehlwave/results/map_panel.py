@@ -7,7 +7,14 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.patheffects import withStroke
 
 
-def bar_beside(axes: Axes, mesh: ScalarMappable, label: str = "", *, capped: bool = False) -> None:
+def bar_beside(
+    axes: Axes,
+    mesh: ScalarMappable,
+    label: str = "",
+    *,
+    capped: bool = False,
+    ticks: Any = None,  # noqa: ANN401 - as matplotlib has it
+) -> None:
     """Draw a colour bar at the right side of a map, as tall as the map.
 
     Parameters
@@ -20,10 +27,12 @@ def bar_beside(axes: Axes, mesh: ScalarMappable, label: str = "", *, capped: boo
         Quantity and unit.
     capped : bool
         Whether larger values have the last colour: the bar then ends in a tip.
+    ticks : sequence of float, optional
+        Labelled values; by default as many as there is room for.
     """
     place = axes.inset_axes((1.03, 0, 0.045, 1))
     extend: Any = "max" if capped else "neither"
-    axes.figure.colorbar(mesh, cax=place, label=label, extend=extend)
+    axes.figure.colorbar(mesh, cax=place, label=label, extend=extend, ticks=ticks)
 
 
 def rolling_arrow(axes: Axes) -> None:

@@ -1,10 +1,18 @@
 """Widths of figures, and scales of maps: equal along both axes, unless the map becomes a sliver."""
 
-COLUMN = 5.6
-"""Width of figures with two panels in a row, inches: labels have 5 pt in a column of 87 mm."""
+from typing import TYPE_CHECKING
 
-LINE_COLUMN = 4.4
-"""Width of figures with a single panel in a row, inches."""
+if TYPE_CHECKING:
+    from matplotlib.axis import Axis
+
+COLUMN = 4.4
+"""Width of figures for a printed column, inches: labels of 8 pt have 6 pt in a column of 84 mm."""
+
+PAGE = 9.0
+"""Largest width of other figures, inches: labels of 8 pt have 6 pt on a page of 174 mm."""
+
+STEPS = (1, 1.5, 2, 3, 4, 5, 7)
+"""Labelled multiples of powers of ten on short logarithmic axes."""
 
 SLENDER = 2.0
 """Longest side over the other, up to which both axes have one scale."""
@@ -29,3 +37,13 @@ def aspect_note(width: float, height: float) -> str:
     if found == 1:
         return ""
     return f", compressed {1 / found:.2g} times" if found < 1 else f", stretched {found:.2g} times"
+
+
+def plain_numbers(axis: "Axis") -> None:
+    """Label a logarithmic axis by plain numbers, more of them over less than a decade."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    low, high = axis.get_view_interval()
+    axis.set_major_locator(LogLocator(subs=STEPS if high < 10 * low else (1, 2, 5)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_formatter(NullFormatter())

@@ -13,7 +13,6 @@ from ehlwave.results.figures import COLOURS
 from ehlwave.results.map_panel import bar_beside, rolling_arrow
 from ehlwave.results.scales_of_figures import (
     COLUMN,
-    LINE_COLUMN,
     aspect_note,
     readable_aspect,
 )
@@ -68,8 +67,8 @@ def section_figure(
     plane = field.isel(z=deep)
     most = float(max(line.max(), plane.max()))  # both maps have the colours of one bar
     with rc_context(STYLE):
-        size, ratios = ((LINE_COLUMN, 4.4), (1, 1.5)) if is_line else ((COLUMN, 4.6), (1, 1))
-        figure = Figure(figsize=size, layout="constrained")
+        height, ratios = (4.4, (1, 1.5)) if is_line else (3.7, (1, 1))
+        figure = Figure(figsize=(COLUMN, height), layout="constrained")
         axes = figure.subplots(2, 1 if is_line else 2, squeeze=False, height_ratios=ratios)
         x = stress["x"].values * scale
         top = axes[0, 0]
@@ -117,7 +116,7 @@ def predicted_section(result: RoughStress) -> Figure:
 def depth_figure(result: RoughStress) -> Figure:
     """Draw Dang Van's factor over depth, rough beside smooth, and the paths of the worst points."""
     with rc_context(STYLE):
-        figure = Figure(figsize=(LINE_COLUMN, 6.4), layout="constrained")
+        figure = Figure(figsize=(COLUMN, 6.4), layout="constrained")
         over_depth, plane = figure.subplots(2, 1)
         for body, line in zip(result.bodies, LINES, strict=False):
             depth = body.risk["z"].values * UM
@@ -155,7 +154,7 @@ def cycles_text(cycles: float) -> str:
 def ripple_figure(result: RoughStress) -> Figure:
     """Draw the largest shear of the ripple alone over depth, and the ripple of the pressure."""
     with rc_context(STYLE):
-        figure = Figure(figsize=(LINE_COLUMN, 5.2), layout="constrained")
+        figure = Figure(figsize=(COLUMN, 5.2), layout="constrained")
         profile, over_depth = figure.subplots(2, 1)
         for surface, ripple, colour in zip(result.surfaces, result.ripples, COLOURS, strict=False):
             pressure = ripple.pressure()[: ripple.measured]

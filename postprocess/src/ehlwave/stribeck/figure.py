@@ -19,15 +19,15 @@ def stribeck_figure(found: Stribeck) -> "Figure":
         From :func:`stribeck`.
     """
     from matplotlib.figure import Figure
-    from matplotlib.ticker import LogFormatter
 
     from ehlwave.results.figures import COLOURS
+    from ehlwave.results.scales_of_figures import COLUMN, plain_numbers
 
     table = found.table.dropna(subset=[SPEED, SHARE])
     speed = table[SPEED].to_numpy(dtype=float)
     width = speed * table["speed_error"].fillna(0).to_numpy(dtype=float)
     friction = table["friction_coefficient"].abs().to_numpy(dtype=float)
-    figure = Figure(figsize=(5.6, 6.4), layout="constrained")
+    figure = Figure(figsize=(COLUMN, 6.0), layout="constrained")
     top, middle, bottom = figure.subplots(3, 1, sharex=True, height_ratios=(2, 1, 1))
     error = friction * table["friction_error"].fillna(0).to_numpy(dtype=float)
     top.fill_between(speed, friction - error, friction + error, color=COLOURS[0], alpha=0.2, lw=0)
@@ -48,6 +48,5 @@ def stribeck_figure(found: Stribeck) -> "Figure":
     bottom.plot(speed, 1000 * table["mean_film_um"], ".-", color=COLOURS[0])
     bottom.set(ylabel="mean film [nm]", xscale="log", yscale="log", xlabel="mean speed [m/s]")
     for axis in (bottom.yaxis, bottom.xaxis):
-        axis.set_major_formatter("{x:g}")
-        axis.set_minor_formatter(LogFormatter(minor_thresholds=(1.5, 0.5)))
+        plain_numbers(axis)
     return figure

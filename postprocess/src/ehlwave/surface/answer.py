@@ -4,7 +4,7 @@ import math
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from ehlwave.shown import percent
+from ehlwave.shown import spread
 from ehlwave.surface.pair import PairStatistics
 from ehlwave.surface.statistics import FilmStatistics
 
@@ -65,7 +65,7 @@ class Answer:
         error = "error not known"
         if self.lambda_error is not None:
             error = (
-                f"within {percent(self.lambda_error)}"
+                spread(self.lambda_error, f"{self.lambda_ratio * (1 + self.lambda_error):.2g}")
                 if self.lambda_error < 1
                 else "no better than an order of magnitude"
             )

@@ -7,6 +7,7 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ehlwave.results.scales_of_figures import COLUMN
 from ehlwave.surface.figures import STYLE, UM
 from ehlwave.surface.removal import DIRECTIONS, Band, Waves
 
@@ -41,7 +42,7 @@ def removal_figure(bands: Sequence[Band]) -> Figure:
 def bars_figure(panels: Mapping[str, Sequence[tuple[Waves, float]]]) -> Figure:
     """Draw the exponents of results, by name, in the amplitude of the waves: a panel for each."""
     with rc_context(STYLE):
-        figure = Figure(figsize=(6.4, 0.8 + 2.2 * len(panels)), layout="constrained")
+        figure = Figure(figsize=(COLUMN, 0.8 + 1.6 * len(panels)), layout="constrained")
         all_axes = figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0]
         for axes, (name, values) in zip(all_axes, panels.items(), strict=True):
             _draw_bars(axes, values)

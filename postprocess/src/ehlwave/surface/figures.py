@@ -56,7 +56,7 @@ def deformed_figure(result: Drawn) -> Figure:
     """
     with rc_context(STYLE):
         if result.surface.is_trace:
-            figure = Figure(figsize=(COLUMN, 4.4), layout="constrained")
+            figure = Figure(figsize=(COLUMN, 3.8), layout="constrained")
             whole, detail = figure.subplots(2, 1)
             _draw_line(whole, result, None)
             _draw_line(detail, result, 1.0)

@@ -13,7 +13,7 @@ import xarray as xr
 
 from ehlwave.laws.transfer import EXTRAPOLATED
 from ehlwave.results.cf import with_cf
-from ehlwave.shown import percent
+from ehlwave.shown import percent, spread
 from ehlwave.surface.answer import LIMITS_TEXT, answer_of
 from ehlwave.surface.narrower import narrower
 from ehlwave.surface.pair import PairStatistics
@@ -122,7 +122,8 @@ def _film_lines(result: Deformed) -> list[str]:
         least += f": does not touch (boundary film {s.boundary_film_m * UM:.4g} um)"
     within = ""
     if s.mean_rise_by == "averaged flow" and s.mean_film_error is not None:
-        within = f" within {percent(s.mean_film_error)}"
+        most = f"{s.mean_film_m * UM * (1 + s.mean_film_error):.2g} um"
+        within = f" {spread(s.mean_film_error, most)}"
     lines = [
         f"Film         mean {s.mean_film_m * UM:.4g} um{within} (smooth: {c.film_source}; {rise}), "
         f"{least}",

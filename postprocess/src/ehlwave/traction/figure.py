@@ -32,11 +32,11 @@ def traction_figure(found: Traction) -> "Figure":
     from matplotlib.figure import Figure
 
     from ehlwave.results.figures import COLOURS
-    from ehlwave.results.scales_of_figures import LINE_COLUMN
+    from ehlwave.results.scales_of_figures import COLUMN
 
     table = found.table
     has_heat = "thermal" in table
-    figure = Figure(figsize=(LINE_COLUMN, 6.6 if has_heat else 3.4), layout="constrained")
+    figure = Figure(figsize=(COLUMN, 6.6 if has_heat else 3.4), layout="constrained")
     panels = np.atleast_1d(figure.subplots(2 if has_heat else 1, 1))
     left = panels[0]
     for name, label in CURVES.items():
