@@ -1,6 +1,8 @@
 """Angular contact and roller bearings, cams, test rigs, rolling resistance: second derivations."""
 
 import math
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,11 +15,15 @@ from ehlwave.elements import (
     CamFollower,
     CylindricalRollerBearing,
     MiniTraction,
+    SpurGearPair,
     TwoDisc,
     case_table,
+    write_sweep,
 )
 from ehlwave.elements.practice import reference_viscosity_mm2_per_s, stribeck_load_n
 from ehlwave.elements.rolling_resistance import error_of, rolling_force
+from ehlwave.results.read import read_results
+from studies.programs import run
 from studies.rolling import biboulet_houpert_line, biboulet_houpert_point
 
 EXACT = 1e-12
@@ -212,6 +218,28 @@ def test_cases_have_the_moes_parameters_of_the_contacts() -> None:
     again = ehlwave.Contact(**row).conditions
     own = place.contact.conditions
     assert (again.m, again.l, again.d) == pytest.approx((own.m, own.l, own.d), rel=1e-10)
+
+
+def test_a_sweep_solves_the_path_of_a_gear_with_both_ends(tmp_path: Path) -> None:
+    """The example of the manual: the default grid leaves two of nine places unresolved."""
+    pair = SpurGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.03)
+    oil = ehlwave.Oil.from_grade(
+        iso_vg=220, viscosity_index=95, temperature_k=343.15, eyring_stress_pa=5e6
+    )
+    oil = replace(oil, viscosity_error=0, pressure_viscosity_error=0, conductivity_error=0)
+    load = {"pinion_torque_n_m": 150, "pinion_speed_rpm": 1500}
+    places = pair.places(**load, oil=oil, options={"heat": True})
+    write_sweep(places, tmp_path, heat=True)
+    outcome = run("sweep", "sweep.nml", folder=tmp_path)
+    assert outcome.returncode == 0, outcome.stdout
+    found = read_results(tmp_path / "results.h5")
+    assert set(found["status"].values) == {"converged"}
+    assert found["is_resolved"].values.all()
+    films = zip(places, found["central_film_um"].values, strict=True)
+    for place, film_um in films:
+        law = place.contact.film()
+        assert law.central_error < 0.2
+        assert film_um == pytest.approx(law.central_m * 1e6, rel=law.central_error + 0.01)
 
 
 def test_starved_band_and_a_layer_of_oil() -> None:

@@ -65,15 +65,15 @@ def test_errors_by_the_data_of_the_oil_are_left_out() -> None:
     assert found["central"] == 1.0
 
 
-def test_shares_count_the_first_elements_all_of_whose_contacts_were_tried() -> None:
+def test_contacts_that_were_not_computed_count_as_not_answered() -> None:
     found = {101: KNOWN, 200: KNOWN, 201: MISSING}
     gear = next(one for one in summary(ROWS, found) if one["element"] == KIND)
     assert gear["elements"] == 4
     assert (gear["contacts"], gear["contacts_by_law"]) == (7, 3)
     assert gear["elements_by_law"] == 0.25
-    assert (gear["elements_tried"], gear["elements_answered"]) == (3, pytest.approx(2 / 3))
+    assert (gear["contacts_not_computed"], gear["elements_answered"]) == (1, 0.5)
     gear = next(one for one in summary(ROWS, {101: KNOWN, 401: KNOWN}) if one["element"] == KIND)
-    assert (gear["elements_tried"], gear["elements_answered"]) == (1, 1.0)
+    assert (gear["contacts_not_computed"], gear["elements_answered"]) == (2, 0.75)
 
 
 def test_errors_of_law_and_program_add() -> None:

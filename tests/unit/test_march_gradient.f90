@@ -33,6 +33,7 @@ contains
       type(march_settings_t) :: settings
       type(march_recording_t) :: recording
       type(march_gradient_t) :: gradient
+      type(contact_variable_t) :: variables(1)
       real(dp) :: direct, direct_work, weights(1, last - period + 1:last)
       integer :: k
 
@@ -46,7 +47,8 @@ contains
             call recording%see(level, k, k*settings%time_step(grid))
          end do
          weights(1, :) = [(2*cos(2*pi*k/period)/period, k=1, period)]
-         call gradient%find(multigrid%levels, settings, recording, level%state, [amplitude_of(level%problem, settings)], [0.0_dp], &
+         call vary_amplitude(level%problem, settings, variables(1))
+         call gradient%find(multigrid%levels, settings, recording, level%state, variables, [0.0_dp], &
                             last - period + 1, weights, tolerance)
          call march(multigrid, settings, recording, weights(1, :), gradient%solves, direct, direct_work)
          call test%check(gradient%is_found, 'the weights of the steps fade')
@@ -58,9 +60,10 @@ contains
    end subroutine compare
 
    !> The logarithm of the amplitude.
-   type(contact_variable_t) function amplitude_of(problem, settings) result(variable)
+   subroutine vary_amplitude(problem, settings, variable)
       type(contact_problem_t), intent(in) :: problem
       type(march_settings_t), intent(in) :: settings
+      type(contact_variable_t), intent(inout) :: variable
       integer :: k
       variable%is_of_waves = .true.
       call variable%place_variants(1e-5_dp, side=0)
@@ -72,7 +75,7 @@ contains
             variant%waves%amplitude_over_film = exp(variant%place)*variant%waves%amplitude_over_film
          end associate
       end do
-   end function amplitude_of
+   end subroutine vary_amplitude
 
    !> As many linearised steps forwards, from rest to the end of the last period.
    subroutine march(multigrid, settings, recording, weights, steps, direct, work)

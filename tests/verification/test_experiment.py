@@ -1,6 +1,7 @@
 """The experiment of Venner, Kaneta and Lubrecht (2000), section 4: smooth central film at 0.024 m/s, and the study's input."""
 
-import subprocess
+import contextlib
+import io
 import sys
 import tempfile
 import unittest
@@ -9,6 +10,7 @@ from pathlib import Path
 from ehlwave_program import SKIPPED, TestCase, last_line, report, run, solve
 
 try:
+    from ehlwave.cli import main
     from studies.experiment.cases import SMOOTH, read_input, shared_groups
     from studies.experiment.measure import richardson
 except ImportError as error:
@@ -36,9 +38,9 @@ class Experiment(TestCase):
 
     def test_input_of_the_study_with_the_surface_its_heading_tells_to_write(self):
         with tempfile.TemporaryDirectory() as folder:
-            command = [sys.executable, "-c", "import sys; from ehlwave.cli import main; sys.exit(main())", "surface",
-                       INPUTS/"sputtered_profile.csv", "--period", "60", "--repeat", "16", "--output", "sputtered_wave.h5"]
-            subprocess.run(command, cwd=folder, check=True, capture_output=True)
+            surface = str(Path(folder, "sputtered_wave.h5"))
+            with contextlib.redirect_stdout(io.StringIO()):
+                self.assertEqual(main(["surface", str(INPUTS/"sputtered_profile.csv"), "--period", "60", "--repeat", "16", "--output", surface]), 0)
             outcome = run("case", INPUTS/"experiment.nml", "--plan", "--json", folder=folder)
         self.check_status(outcome)
         plan = last_line(outcome)

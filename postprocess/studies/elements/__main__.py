@@ -7,7 +7,6 @@ import sys
 import warnings
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from itertools import takewhile
 from pathlib import Path
 
 import numpy as np
@@ -84,8 +83,7 @@ def contact(row: Row) -> Row:
 def summary(rows: Sequence[Row], computed: Mapping[int, Answer]) -> list[Row]:
     """Return per kind the shares of elements answered by laws, and by laws or computed.
 
-    The latter is the share of the first elements, up to one with a refused contact that has not
-    been computed.
+    A contact that no law answers and that has not been computed counts as not answered.
     """
     kinds = {kind: [row for row in rows if row["kind"] == kind] for kind in KINDS}
     return [_shares(kind, own, computed) for kind, own in kinds.items() if own]
@@ -93,8 +91,9 @@ def summary(rows: Sequence[Row], computed: Mapping[int, Answer]) -> list[Row]:
 
 def _shares(kind: str, rows: Sequence[Row], computed: Mapping[int, Answer]) -> Row:
     left = [refused([row]) for row in rows]
-    tried = list(takewhile(lambda own: all(number in computed for number in own), left))
-    answered = [all("reason" not in computed[number] for number in own) for own in tried]
+    missing: Answer = {"reason": "not computed"}
+    found = [[computed.get(number, missing) for number in own] for own in left]
+    answered = [all("reason" not in one for one in own) for own in found]
     contacts = sum(len(row["places"]) for row in rows)
     return {
         "element": kind,
@@ -102,8 +101,8 @@ def _shares(kind: str, rows: Sequence[Row], computed: Mapping[int, Answer]) -> R
         "contacts": contacts,
         "contacts_by_law": contacts - sum(map(len, left)),
         "elements_by_law": sum(not own for own in left) / len(rows),
-        "elements_tried": len(tried),
-        "elements_answered": sum(answered) / len(tried) if tried else math.nan,
+        "contacts_not_computed": sum(own.count(missing) for own in found),
+        "elements_answered": sum(answered) / len(rows),
     }
 
 

@@ -14,6 +14,10 @@ from ehlwave.elements.place import ElementContact
 from ehlwave.errors import SurfaceError
 from ehlwave.writing import Writer
 
+ACCURACY = 0.01
+"""Relative error of the central film that the cases ask for: the default grid leaves ends of the
+path of a gear unresolved."""
+
 
 def case_table(places: Sequence[ElementContact]) -> pd.DataFrame:
     """Return the keys of ``ehlwave-case`` of contacts, a row each.
@@ -77,7 +81,7 @@ def write_sweep(
     heat : bool
         With ``&heat``, by the own data of oil and bodies of the first place.
     keys : mapping, optional
-        More keys by their groups, such as ``{"solver": {"accuracy": 0.01}}``.
+        More keys by their groups, such as ``{"solver": {"accuracy": 0.005}}``.
     writer : Writer, optional
         Existing files to overwrite.
     """
@@ -89,6 +93,7 @@ def write_sweep(
         found = heat_of(oil, places[0].bodies).keys()
         groups["lubricant"]["temperature_k"] = found.pop("temperature_k")
         groups["heat"] = dict(found)
+    groups["solver"] = {"accuracy": ACCURACY}
     groups["sweep"] = {"case_file": "cases.csv", "output": "results.h5"}
     for group, more in (keys or {}).items():
         groups[group] = groups.get(group, {}) | dict(more)
