@@ -23,7 +23,7 @@ Floats = NDArray[np.float64]
 CENTRE = (1000.0, 10.0, 0.1)
 """M, L and D of which the logarithms count."""
 DEGREES = (4, 2)
-"""Of the polynomial, and of the factor of the networks."""
+"""Degrees of the polynomial, and of the factor of the networks."""
 LARGEST_M = 12000.0
 """Largest M of the computed contacts."""
 
