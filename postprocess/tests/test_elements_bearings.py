@@ -302,7 +302,7 @@ def test_load_zone_of_a_6208_has_both_rings_power_and_worst_places() -> None:
     middle = found.sel(ring="inner").isel(angle_deg=2)
     assert float(middle["central_film_m"]) == own.contact.film().central_m
     assert found.attrs["kappa_iso_281"] == pytest.approx(1.87, abs=0.01)
-    assert "ring inner" in found.attrs["worst"]
+    assert "inner ring" in found.attrs["worst"]
     assert found.attrs["rolling_power_w"] == pytest.approx(16.7, rel=0.01)
 
 

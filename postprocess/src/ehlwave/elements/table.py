@@ -138,5 +138,7 @@ def _number(value: Any) -> float:  # noqa: ANN401
 
 def _place(name: str, value: Any) -> str:  # noqa: ANN401
     """Return a coordinate in words."""
+    if name == "ring":
+        return f"{value} ring"
     entry = FORMULAS[name]
     return f"{entry.label} {written(name, value)} {entry.unit}".rstrip()
