@@ -36,12 +36,14 @@ def _number(label: str, formula: str, unit: str = "") -> Entry:
 
 
 _CAUSES = "; includes the errors of viscosity, alpha and estimated inner dimensions"
-_HEATED = "heat balance of film and surfaces by the law of heat (manual: Contacts with heat)"
+_HEATED = "law fitted to the energy equation (T6), theory 10.1"
 
 FORMULAS = {
     "angle_deg": _number("angle", "places at which the element is computed", "degrees"),
     "pinion_angle_deg": _number("pinion angle", "distance along the path / r_b1", "degrees"),
-    "distance_m": _length("distance s along the line of action", "from the base circle of 1"),
+    "distance_m": _length(
+        "distance s along the line of action", "from the base tangent point of the pinion"
+    ),
     "speed_m_per_s": _number("mean speed", "as given", "m/s"),
     "radius_m": _length(
         "reduced radius along rolling, Rx", "1/Rx = 1/R1 + 1/R2, radii of both bodies along rolling"
@@ -79,7 +81,8 @@ FORMULAS = {
     ),
     "hertz_pressure_pa": _pressure("Hertz pressure", "3 W/(2 pi a b) of ellipses, 2 w/(pi a)"),
     "central_film_m": _film(
-        "central film, h_c", "solved Reynolds and elasticity equations, or a law fitted to them"
+        "central film, h_c",
+        "equations (7) to (11), solved or by a law fitted to them, as 'source' in JSON and table",
     ),
     "central_film_error": _error(
         "error of the central film", "95 % of computed contacts are within it" + _CAUSES
@@ -90,31 +93,36 @@ FORMULAS = {
     "isothermal_central_film_error": _error(
         "error of the central film without heat", "as of the central film"
     ),
-    "friction": _number("friction coefficient, mu", "shear force of the film over W"),
+    "friction": _number("friction coefficient, mu", "(T2): shear force of the film over W"),
     "friction_error": _error("error of the friction coefficient", "as of the central film"),
     "rise_mid_film_k": _number("temperature rise, mid-film", _HEATED, "K"),
     "rise_surfaces_k": _number("temperature rise, surfaces", _HEATED, "K"),
-    "thermal_film_factor": _number("film with heat over film without", _HEATED),
+    "thermal_film_factor": _number(
+        "film with heat over film without",
+        _HEATED + "; of lines over the film in rolling, with thinning by slip in the error",
+    ),
     "lambda_ratio": _number(
-        "lambda ratio", "mean film over Rq of the roughness deformed in the contact"
+        "lambda ratio", "mean film (W13) over Rq of the roughness deformed in the contact (W12)"
     ),
     "lambda_error": _error("error of the lambda ratio", "errors of film and deformed roughness"),
-    "lambda_ratio_before": _number("lambda ratio, roughness as made", "mean film over Rq as made"),
+    "lambda_ratio_before": _number(
+        "lambda ratio, roughness as made", "mean film (W13) over Rq as made"
+    ),
     "isothermal_lambda_ratio": _number("lambda ratio without heat", "as the lambda ratio"),
     "isothermal_lambda_error": _error("error of the lambda ratio without heat", "as with heat"),
     "isothermal_lambda_ratio_before": _number(
-        "lambda ratio without heat, roughness as made", "mean film over Rq as made"
+        "lambda ratio without heat, roughness as made", "mean film (W13) over Rq as made"
     ),
     "largest_shear_pa": _pressure(
-        "largest shear stress", "elastic stress below both surfaces by p and shear (manual: Stress)"
+        "largest shear stress", "elastic stress below both surfaces by p and shear, (B1) to (B4)"
     ),
     "dang_van": _number(
-        "factor of Dang Van", "max of tau/(tau_f - c sigma_H); 1: fatigue limit (manual: Stress)"
+        "factor of Dang Van", "(B5), max of tau/(tau_f - 0.232 sigma_H); 1: fatigue limit"
     ),
     "dang_van_error": _number(
         "error of the factor of Dang Van, absolute", "of the deformed roughness and of its stresses"
     ),
-    "life_ratio": _number("life over smooth life", "Ioannides and Harris (1985)"),
+    "life_ratio": _number("life over smooth life", "(B6), Ioannides and Harris (1985)"),
     "rolling_resistance_n": _number(
         "rolling resistance, F",
         "Biboulet and Houpert (2010), part 1 formula 42, part 2 formula 32, times the factor of "
@@ -136,10 +144,14 @@ FORMULAS = {
     ),
     "iso_specific_film": _number("specific film of ISO/TR 15144-1", "film over (Ra1 + Ra2)/2"),
     "film_starved_low_m": _film(
-        "central film with little oil", "law of starved contacts at r = 0.3 of the flooded oil"
+        "central film with little oil", "h_c r (1 + r^g)^(-1/g) at r = 0.3, (C9)"
     ),
-    "oil_over_flooded": _number("oil offered, r", "oil layer over flow of the flooded contact"),
-    "film_starved_m": _film("central film with the given oil layer", "law of starved contacts"),
+    "oil_over_flooded": _number(
+        "oil offered, r", "oil layer/(rho h_c) at the Hertz pressure, (C2)"
+    ),
+    "film_starved_m": _film(
+        "central film with the given oil layer", "h_c r (1 + r^g)^(-1/g), (C9)"
+    ),
     "film_starved_error": _error(
         "error of the starved film", "errors of r, of the law and of the flooded film"
     ),
@@ -183,7 +195,12 @@ FORMULAS = {
     "working_pressure_angle_deg": _number(
         "working pressure angle", "cos = (r_b1 + r_b2) over the centre distance", "degrees"
     ),
-    "named_points_mm": _number("points A to E of the path, s", "involute geometry", "mm"),
+    "named_points_mm": _number(
+        "points A to E of the path, s",
+        "s_A = N - (r_a2^2 - r_b2^2)^0.5, s_E = (r_a1^2 - r_b1^2)^0.5, s_C = r_b1 tan(alpha_wt), "
+        "s_B = s_E - p_bt, s_D = s_A + p_bt",
+        "mm",
+    ),
     "efficiency": _number("efficiency", "1 - (sliding + rolling power)/(torque x speed)"),
     "reversals_deg": _number("entrainment reverses at", "zeros of u", "degrees"),
     "opposite_speeds_deg": _number("surfaces in opposite directions at", "u1 u2 < 0", "degrees"),

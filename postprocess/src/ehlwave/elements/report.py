@@ -39,8 +39,8 @@ STYLE = (
 
 SOURCES = (
     "Names above lead to these lines. The manual derives the formulas: the page of machine"
-    " elements for loads, radii and speeds; Theory for film, friction and deformed roughness;"
-    " Stress for fatigue."
+    " elements for loads, radii and speeds; Theory for equations in brackets, such as (T2): film,"
+    " friction, heat, deformed roughness, starvation and stress."
 )
 """Text above the formulas."""
 
