@@ -38,7 +38,7 @@ def test_budget_is_the_spread_of_random_draws() -> None:
             KEYS[name]: SLIDING_ELLIPSE[KEYS[name]] * math.exp(error * rng.standard_normal())
             for name, error in ERRORS.items()
         }
-        film = ehlwave.Contact(**{**SLIDING_ELLIPSE, **changes})._film("laws")
+        film = ehlwave.Contact(**{**SLIDING_ELLIPSE, **changes}).film(by="laws")
         found.append((math.log(film.central_m), math.log(film.friction)))
     spread = np.std(found, axis=0)
     assert table.central_film["total"] == pytest.approx(spread[0], rel=0.12)

@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
-from scipy.special import ellipk
 
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.formula import recommended_ratio
@@ -14,6 +13,7 @@ from ehlwave.contact.two_waves import two_waves
 from studies.section import Picture, Section, Table
 from studies.two_waves import figures
 from studies.two_waves.cases import REDUCED_MODULUS_PA
+from studies.two_waves.eyring import eyring_points, eyring_table
 from studies.two_waves.fit import PACKAGED, Law, amplitude_error, fitted, held_out, rms
 from studies.two_waves.passing import WINDOW, Passing, passings
 from studies.two_waves.points import Pairs, Rolling, rolling_points, slip_points
@@ -51,7 +51,7 @@ def section(folder: Path) -> Section:
         _bands(pairs, left_pairs),
         _coefficients(law),
         _rolling(rolling, left_rolling),
-        _eyring(pairs),
+        eyring_table(pairs),
     ]
     found.pictures = [
         Picture(
@@ -70,7 +70,7 @@ def section(folder: Path) -> Section:
             "two_waves_eyring",
             "Attenuated wave of transverse patterns deep in the Eyring regime (B > 100) against "
             "(tau0/E')(lambda/h)^2; the line is the incompressible oil.",
-            figures.eyring_figure(*_eyring_points(pairs)),
+            figures.eyring_figure(*eyring_points(pairs)),
         ),
     ]
     if (folder / "sliding_along.h5").exists():
@@ -221,54 +221,6 @@ def _rolling(rolling: Rolling, left: Complex) -> Table:
     names += ["mean of formula/Ad below 0.1", "largest of it", "rms with phase"]
     caption = f"Pure rolling again: {len(t)} points at {t['condition'].nunique()} conditions"
     return Table("two_waves_rolling", caption, pd.DataFrame(rows, columns=names))
-
-
-def _eyring_points(pairs: Pairs) -> tuple[NDArray[np.float64], Complex, Complex, Complex]:
-    """Return (tau0/E')(lambda/h)^2, a as fitted to the film, by (S5), and incompressible."""
-    t = pairs.table
-    deep = (t["flow_law"] == "eyring") & (t["tangent_factor_x"] > 100) & (t["along"] == 1)
-    deep &= np.isfinite(t["attenuated_real"])
-    rows = t[deep.to_numpy()]
-    hertz_pa = rows["alphabar"] / rows["pressure_viscosity_per_pa"]
-    # c/a = 2 K ph/E'.
-    film_over_a = rows["central_film"] * 2 * _elliptic(rows["kappa"]) * hertz_pa
-    film_over_a /= REDUCED_MODULUS_PA
-    number = rows["eyring_stress_pa"] / REDUCED_MODULUS_PA
-    number = (number * (rows["wavelength_x_over_a"] / film_over_a) ** 2).to_numpy()
-    sign = np.sign(rows["slip"].to_numpy() - 1)
-    fitted_a = rows["attenuated_real"].to_numpy() + 1j * rows["attenuated_imaginary"].to_numpy()
-    rigid = 1 / (1 - 6j / np.pi**2 * sign * number)
-    return number, fitted_a, pairs.attenuated[deep.to_numpy()], rigid
-
-
-def _elliptic(kappa: pd.Series) -> NDArray[np.float64]:
-    return np.asarray(ellipk(1 - kappa**2))
-
-
-def _eyring(pairs: Pairs) -> Table:
-    number, fitted_a, closed, rigid = _eyring_points(pairs)
-    rows = []
-    edges = np.geomspace(0.01, 100, 9)
-    for low, high in itertools.pairwise(edges):
-        chosen = (number >= low) & (number < high)
-        if chosen.any():
-            ratio = np.abs(closed[chosen]) / np.abs(rigid[chosen])
-            turn = np.abs(np.angle(closed[chosen] / rigid[chosen]))
-            rows.append(
-                (
-                    f"{low:.2g} to {high:.2g}",
-                    int(chosen.sum()),
-                    float(np.abs(rigid[chosen]).mean()),
-                    rms(np.abs(fitted_a[chosen]) - np.abs(closed[chosen])),
-                    float(np.mean(ratio) - 1),
-                    float(np.max(ratio) - 1),
-                    float(np.max(turn)),
-                )
-            )
-    names = ["(tau0/E')(lambda/h)^2", "points", "|a|, incompressible"]
-    names += ["rms, fitted less closed |a|", "compressibility, mean", "largest", "turns by, rad"]
-    caption = "Deep in the Eyring regime one number decides; what compressibility adds"
-    return Table("two_waves_eyring", caption, pd.DataFrame(rows, columns=names))
 
 
 def _passed(passed: list[Passing]) -> Table:

@@ -112,7 +112,7 @@ def _bearing(axes: Axes, *, is_roller: bool = False, angle: float = 0.0) -> None
     axes.text(0.35, -5.5, "Q at angle 0", color=INK)
     for turn in (0.0, 0.7):
         axes.plot([0, 3.6 * math.sin(turn)], [0, -3.6 * math.cos(turn)], ":", color=INK, lw=0.9)
-    axes.text(0.7, -1.95, "angle", color=INK, ha="center", va="center")
+    axes.text(0.66, -1.86, "angle", color=INK, ha="center", va="center", fontsize=7.5)
     x = 8.6
     if is_roller:
         _section_of_roller(axes, x, angle)

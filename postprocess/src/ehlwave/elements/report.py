@@ -81,7 +81,7 @@ def _summed(table: xr.Dataset, name: str) -> str:
     if isinstance(value, float) and math.isnan(value):
         return f"{FORMULAS[name].label}: not available"
     error = table.attrs.get(f"{name.removesuffix('_w')}_error")
-    label, unit = FORMULAS[name].label, FORMULAS[name].unit
+    label, unit = FORMULAS[name].label, "" if value == "none" else FORMULAS[name].unit
     said = f"{label}: {written(name, value)} {unit}".rstrip()
     if not isinstance(error, float):
         return said
@@ -198,7 +198,7 @@ def report_body(table: xr.Dataset, words: Callable[[str], str] = str) -> str:
     )
     return (
         f"<h2>Worst places</h2><ul>{worst}</ul><h2>Figures</h2>"
-        f"<p>Bands are errors.</p><img alt='{name}' "
+        f"<p>Bands are errors of the solid curves.</p><img alt='{name}' "
         f"src='data:image/png;base64,{picture}'><h2>Not answered, or doubtful</h2>"
         f"{notes or '<p>Nothing.</p>'}<h2>Numbers of the element</h2><table>{attributes}</table>"
         f"<h2>Numbers of each place</h2><div class='wide'>{_html_table(table)}</div>"

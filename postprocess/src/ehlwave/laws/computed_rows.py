@@ -9,7 +9,7 @@ import numpy as np
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
 from ehlwave.errors import RangeError
-from ehlwave.laws.computed_waves import AMPLITUDE, error_of
+from ehlwave.laws.computed_waves import AMPLITUDE, error_of, film_of
 from ehlwave.laws.transfer import Waves
 from ehlwave.programs.case_input import case_keys
 from ehlwave.programs.computing import Result, is_usable, run_waves
@@ -20,10 +20,10 @@ ACCURACY, FINER_ACCURACY = 0.05, 0.015
 `LARGE_ERROR`. Asking for less at once takes up to 50 times as long for short waves."""
 LARGE_ERROR = 0.025
 """Absolute error of a computed wave above which it is computed again."""
-STARVED_LONG, LONG_ACCURACY = 0.7, 0.2
-"""Wavelength over a from which on starved contacts have the second relative error: little is left
-of such waves, and a small relative error takes ten times as long.
-"""
+STARVED_ACCURACY, STARVED_ERROR = 0.2, 0.04
+"""Relative error that is asked for waves of starved contacts at first, and absolute error above
+which they are computed again: little is left of long waves, and a small relative error takes ten
+times as long."""
 STARVED_SHORT, SHORT_CELLS, OTHER_CELLS = 0.2, 640, 96
 """Wavelength over a below which starved contacts have a grid that is fine along the wave alone:
 2 s a wave, where the plan of an accuracy takes half a minute."""
@@ -90,8 +90,18 @@ class ComputedRows:
         self._keep_frozen(rows)
         if self.frozen > NEGLIGIBLE_FROZEN:  # a smaller error of the grid would not count
             return rows
-        coarse = [k for k, row in enumerate(rows) if error_of(row) > LARGE_ERROR]
-        better = self._run(keys | {"accuracy": FINER_ACCURACY}, [every[k] for k in coarse])
+        return self._finer(rows, keys | {"accuracy": FINER_ACCURACY}, every, LARGE_ERROR)
+
+    def _finer(
+        self,
+        rows: list[Result],
+        keys: dict[str, Any],
+        every: Sequence[dict[str, float]],
+        most: float,
+    ) -> list[Result]:
+        """Return rows of which those with an error above the most are computed again."""
+        coarse = [k for k, row in enumerate(rows) if error_of(row) > most]
+        better = self._run(keys, [every[k] for k in coarse])
         for k, row in zip(coarse, better, strict=True):
             rows[k] = row if error_of(row) < error_of(rows[k]) else rows[k]
         return rows
@@ -106,13 +116,19 @@ class ComputedRows:
                 fine = (SHORT_CELLS if short else OTHER_CELLS for short in (along_x, along_y))
                 grids.append(dict(zip(("cells_x", "cells_y"), fine, strict=True)))
             else:
-                grids.append({"accuracy": ACCURACY if wave < STARVED_LONG else LONG_ACCURACY})
+                grids.append({"accuracy": STARVED_ACCURACY})
         found: dict[int, Result] = {}
+        shared = self._keys | {"mean_rise": False}
         for grid in [grid for k, grid in enumerate(grids) if grid not in grids[:k]]:
             here = [k for k, own in enumerate(grids) if own == grid]
-            keys = self._keys | {"mean_rise": False} | grid
-            found |= dict(zip(here, self._run(keys, [every[k] for k in here]), strict=True))
-        return [found[k] for k in range(len(every))]
+            rows = self._run(shared | grid, [every[k] for k in here])
+            found |= dict(zip(here, rows, strict=True))
+        rows = [found[k] for k in range(len(every))]
+        needed = [
+            lengths | {"accuracy": STARVED_ERROR / max(abs(film_of(row)), STARVED_ERROR)}
+            for row, lengths in zip(rows, every, strict=True)
+        ]
+        return self._finer(rows, shared, needed, STARVED_ERROR)
 
     def changes(self, waves: Waves, angle: float) -> list[Result]:
         """Return what marches add that carry the temperatures of oil and surfaces.

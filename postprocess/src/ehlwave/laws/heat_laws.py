@@ -36,8 +36,7 @@ NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
 """Power of :func:`wedge` in the film. Fitted to 187 contacts of unlike bodies, whose films are
-within 0.08 for 95 % of them, without 0.14.
-"""
+within 0.08 for 95 % of them, without 0.14."""
 RANGES = {
     "load_parameter_m": (5.0, 1500.0),
     "lubricant_parameter_l": (2.0, 20.0),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -24,8 +23,9 @@ from ehlwave.laws.heated_contact import check_heat
 from ehlwave.laws.law_list import film_for, transfer_for
 from ehlwave.laws.notices import warn
 from ehlwave.laws.transfer import Transfer
+from ehlwave.operating_point.shown_rows import shown_rows
 from ehlwave.quantities import number
-from ehlwave.shown import html_table, within
+from ehlwave.shown import html_table
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -55,7 +55,11 @@ class SmoothContact:
         self._eyring_stress_pa = None if stress is None else number(stress, "eyring_stress_pa")
         self._poisson_ratio: PoissonRatio | None = None
         self._heat = heat
-        self._table = None if table is None else _harmonic_table(table)
+        self._table: HarmonicTable | None = None
+        if table is not None:
+            from ehlwave.laws.table import harmonic_table_of
+
+            self._table = harmonic_table_of(table)
         self._questions: dict[float | None, Asked] = {}
         self._transfers: dict[tuple[float | None, str | None], Transfer] = {}
         if heat is not None:
@@ -103,7 +107,7 @@ class SmoothContact:
         films = self._asked().films
         known = films.get(None) or films.get("computed")
         try:
-            return with_film(self._given, known or self._film("laws"))
+            return with_film(self._given, known or film_for(self._asked(), "laws"))
         except RangeError:
             return replace(
                 self._given,
@@ -221,22 +225,10 @@ class SmoothContact:
 
     def _shown_rows(self) -> dict[str, str]:
         """Return conditions, and the film where the atlas has it."""
-        c = self._given
-        rows = {"M, L, D, S": f"{c.m:.5g}, {c.l:.5g}, {c.d:.5g}, {c.slip_parameter:g}"}
-        rows["oil"] = c.oil.name
         try:
-            film = self._film("laws")
+            return shown_rows(self._given, film_for(self._asked(), "laws"))
         except RangeError as error:
-            return rows | {"film": str(error)}
-        if film.central_m is not None:
-            rows["central film"] = within(film.central_m * 1e6, film.central_error, " um")
-            if film.minimum_m is not None:
-                rows["smallest film"] = within(film.minimum_m * 1e6, film.minimum_error, " um")
-        else:
-            rows["central film, Moes"] = within(film.central_moes, film.central_error)
-            if math.isfinite(film.minimum_moes):
-                rows["smallest film, Moes"] = within(film.minimum_moes, film.minimum_error)
-        return rows | {"source": film.source}
+            return shown_rows(self._given, None) | {"film": str(error)}
 
     def _repr_html_(self) -> str:
         return html_table("Contact", self._shown_rows())
@@ -254,14 +246,12 @@ class SmoothContact:
         """
         return self._asked().atlas()
 
-    def _own_atlas(self) -> Atlas | None:
-        return None if self._atlas is None else load_atlas(self._atlas)
-
     def _asked(self, slip: float | None = None) -> Asked:
         """Return the contact as input of laws, optionally at another slip."""
         if slip not in self._questions:
             c = self._given if slip is None else replace(self._given, slip_parameter=slip)
-            own = self._own_atlas(), self._eyring_stress_pa, self._table
+            atlas = None if self._atlas is None else load_atlas(self._atlas)
+            own = atlas, self._eyring_stress_pa, self._table
             self._questions[slip] = Asked(c, self._heat, *own)
         return self._questions[slip]
 
@@ -271,9 +261,6 @@ class SmoothContact:
         if key not in self._transfers:
             self._transfers[key] = transfer_for(self._asked(slip), by)
         return self._transfers[key]
-
-    def _film(self, by: str | None) -> Film:
-        return film_for(self._asked(), by)
 
     def film(self, by: str | None = None) -> Film:
         """Return central and smallest film of the smooth contact, and its friction.
@@ -307,12 +294,6 @@ class SmoothContact:
         0.83 um within 1%
         """
         chosen_or_none(by, "by", FILM_BY)
-        found = self._film(by)
+        found = film_for(self._asked(), by)
         warn(found.warnings)
         return found
-
-
-def _harmonic_table(table: str | Path | pd.DataFrame | HarmonicTable) -> HarmonicTable:
-    from ehlwave.laws.table import harmonic_table_of
-
-    return harmonic_table_of(table)
