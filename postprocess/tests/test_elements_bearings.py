@@ -326,12 +326,32 @@ def test_refused_heat_leaves_the_reason_and_the_film_without() -> None:
         ({"conformity": 0.4}, "above 0.5"),
         ({"ball_diameter_m": -1}, "ball_diameter_m = -1"),
         ({"pitch_diameter_m": 0.01}, "pitch_diameter_m = 0.01 must be above 0.0115"),
+        ({"clearance_m": 0.01}, "above a tenth of the diameter of an element"),
     ],
 )
 def test_wrong_bearings_are_refused_by_name(changed: dict[str, object], said: str) -> None:
     given = {"ball_diameter_m": 0.0115, "pitch_diameter_m": 0.0435, "balls": 7} | changed
     with pytest.raises(ehlwave.SurfaceError, match=said):
         DeepGrooveBallBearing(**given)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("speed", [math.nan, math.inf, "fast"])
+def test_speeds_that_are_no_numbers_are_refused(speed: float) -> None:
+    with pytest.raises(ehlwave.SurfaceError, match=r"inner_speed_rpm = .* is not a"):
+        example().contacts(radial_load_n=1000, inner_speed_rpm=speed, oil=OIL)
+
+
+def test_an_oil_layer_below_zero_is_refused() -> None:
+    load = {"radial_load_n": 1000, "inner_speed_rpm": 3000}
+    with pytest.raises(ehlwave.SurfaceError, match="oil_layer_m = -1e-06 must be above 0"):
+        example().over_load_zone(**load, oil=OIL, oil_layer_m=-1e-6)
+
+
+def test_tables_without_answers_have_films() -> None:
+    load = {"radial_load_n": 1000, "inner_speed_rpm": 3000}
+    found = example().over_load_zone(**load, oil=OIL, by="laws", oil_over_flooded=1e-3)
+    assert np.isnan(found["central_film_m"].values).all()
+    assert all(found["refusal"].values.ravel())
 
 
 def test_no_load_is_refused() -> None:

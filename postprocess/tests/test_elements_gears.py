@@ -226,9 +226,35 @@ def test_helical_power_is_the_sum_over_all_contact_lines() -> None:
         ({"module_m": 0}, "module_m = 0 must be above 0"),
         ({"teeth": 20.5}, "whole number"),
         ({"teeth": (20, -60)}, "internal gears are not covered"),
+        ({"teeth": (9, 60), "profile_shift": (0.9, 0)}, "teeth of the gear with 9 are pointed"),
+        ({"module_m": 3}, "did you mean 0.003"),
+        ({"material": ("steel", "steel", "steel")}, "give one name, or two"),
     ],
 )
 def test_wrong_gears_are_refused_by_name(changed: dict[str, object], said: str) -> None:
     given = {"module_m": 0.003, "teeth": (20, 40), "face_width_m": 0.03} | changed
     with pytest.raises(ehlwave.SurfaceError, match=said):
         SpurGearPair(**given)  # type: ignore[arg-type]
+
+
+def test_load_factors_below_zero_are_refused() -> None:
+    gears = SpurGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.03)
+    given = {"pinion_torque_n_m": 150, "pinion_speed_rpm": 1500, "load_factor": -1}
+    with pytest.raises(ehlwave.SurfaceError, match="load_factor = -1 must be above 0"):
+        gears.places(**given, oil=OIL)
+
+
+@pytest.mark.parametrize("helix", [0.0, 20.0])
+def test_teeth_without_backlash_fill_the_working_pitch(helix: float) -> None:
+    gears = HelicalGearPair(
+        module_m=0.003,
+        teeth=(17, 43),
+        face_width_m=0.03,
+        helix_angle_deg=helix,
+        profile_shift=(0.4, 0.1),
+    )
+    shape = gears.geometry
+    cosine = math.cos(shape.working_angle_rad)
+    radii = tuple(base / cosine for base in shape.base_radii_m)
+    pitch = 2 * math.pi * radii[0] / 17
+    assert sum(shape.thicknesses_m((radii[0], radii[1]))) == pytest.approx(pitch, rel=1e-12)

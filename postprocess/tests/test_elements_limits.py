@@ -22,9 +22,9 @@ from ehlwave.errors import SurfaceError
 OIL = ehlwave.Oil.from_grade(iso_vg=68, viscosity_index=95, temperature_k=343.15)
 
 
-def bearing(clearance_m: float = 0.0) -> DeepGrooveBallBearing:
+def bearing(clearance_m: float = 0.0, **others: tuple[float, float]) -> DeepGrooveBallBearing:
     return DeepGrooveBallBearing(
-        ball_diameter_m=0.012, pitch_diameter_m=0.06, balls=9, clearance_m=clearance_m
+        ball_diameter_m=0.012, pitch_diameter_m=0.06, balls=9, clearance_m=clearance_m, **others
     )
 
 
@@ -57,10 +57,11 @@ def test_preloaded_balls_under_both_loads_by_the_distance_of_the_groove_centres(
 
 
 def test_grooves_that_let_the_balls_past_are_refused_with_an_axial_load() -> None:
-    zone = bearing(0.01).load_zone(radial_load_n=3000)
+    own = bearing(0.001, conformity=(0.51, 0.52))
+    zone = own.load_zone(radial_load_n=3000)
     assert float(zone.loads_at(0)[0]) == pytest.approx(3000, rel=1e-12)  # a single ball
-    with pytest.raises(ehlwave.SurfaceError, match=r"no hold along the axis: .* below 0\.0012"):
-        bearing(0.01).load_zone(radial_load_n=3000, axial_load_n=10)
+    with pytest.raises(ehlwave.SurfaceError, match=r"no hold along the axis: .* below 0\.00072"):
+        own.load_zone(radial_load_n=3000, axial_load_n=10)
 
 
 @pytest.mark.parametrize("points", [1, 2, 3, 4, 9])
@@ -105,6 +106,19 @@ def test_a_turning_outer_ring_is_a_turning_inner_ring_for_the_contacts() -> None
 def test_discs_that_draw_no_oil_in_are_refused(speeds: tuple[float, float]) -> None:
     with pytest.raises(ehlwave.SurfaceError, match="draw no oil in"):
         TwoDisc(diameters_m=(0.08, 0.08), width_m=0.01).speeds_m_per_s(speeds)
+
+
+@pytest.mark.parametrize(
+    ("angle_deg", "said"),
+    [
+        (np.linspace(0, 6.2, 90), "leaves 353.8 degrees without a lift"),
+        (np.r_[0:89.0, math.nan], "finite numbers"),
+    ],
+)
+def test_wrong_angles_of_cams_are_refused(angle_deg: np.ndarray, said: str) -> None:
+    lift = np.linspace(0, 1e-3, 90)
+    with pytest.raises(ehlwave.SurfaceError, match=said):
+        CamFollower(angle_deg=angle_deg, lift_m=lift, base_radius_m=0.015, width_m=0.01)
 
 
 def test_a_roller_too_large_for_the_nose_of_the_cam_is_refused() -> None:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ehlwave.contact.heat_data import Heat
-from ehlwave.elements.given import check_names
+from ehlwave.elements.given import above, check_names
 from ehlwave.elements.hertz import reduced_modulus
 from ehlwave.elements.place import ElementContact
 from ehlwave.elements.practice import iso_gear_film_m
@@ -83,7 +83,9 @@ class Questions:
         return cls(**asked)
 
     def __post_init__(self) -> None:
-        """Read the traces once."""
+        """Check the oil layer, and read the traces once."""
+        if self.oil_layer_m is not None:
+            above(self.oil_layer_m, "oil_layer_m", "oil", example="1e-6")
         for name in ("trace", "second"):
             given = getattr(self, name)
             if given is not None and not isinstance(given, Surface):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ehlwave.contact.bodies import Body
 from ehlwave.elements.given import above
-from ehlwave.elements.material import elastic_of
+from ehlwave.elements.material import both_elastic
 from ehlwave.elements.test_rig import TestRig
 
 
@@ -46,6 +46,6 @@ class BallOnDisc(TestRig):
     ) -> None:
         """Check the dimensions."""
         diameter = above(ball_diameter_m, "ball_diameter_m", type(self).__name__, example="0.01905")
-        both = (material, material) if isinstance(material, str) else tuple(material)
-        ball, disc = (elastic_of(one, elastic_modulus_pa, poisson_ratio) for one in both)
+        constants = (elastic_modulus_pa, poisson_ratio)
+        ball, disc = both_elastic(material, *constants, type(self).__name__)
         self.bodies = (Body.ball(diameter, **ball), Body(**disc))

@@ -139,7 +139,7 @@ class RollingBearing(BearingMotion):
             ``contact``.
         """
         chosen(ring, "ring", RINGS, type(self).__name__)
-        speeds = (inner_speed_rpm, outer_speed_rpm)
+        speeds = self._speeds_rpm(inner_speed_rpm, outer_speed_rpm)
         zone = self._zone(loads, speeds if has_centrifugal_load else (0.0, 0.0))
         angles = self._angles(zone)
         return [
@@ -217,11 +217,11 @@ class RollingBearing(BearingMotion):
         """
         takes = loads_of(self.load_zone)
         loads = {name: asked.pop(name) for name in takes if name in asked}
-        questions = Questions.of(asked, type(self).__name__, takes)
-        speeds = (inner_speed_rpm, outer_speed_rpm)
-        if inner_speed_rpm == outer_speed_rpm:
+        questions = Questions.of(asked, type(self).__name__, [*takes, "rings"])
+        speeds = self._speeds_rpm(inner_speed_rpm, outer_speed_rpm)
+        if speeds[0] == speeds[1]:
             raise SurfaceError(
-                f"{type(self).__name__}: both rings turn at {inner_speed_rpm:g} rpm, so that no "
+                f"{type(self).__name__}: both rings turn at {speeds[0]:g} rpm, so that no "
                 "contact rolls: change inner_speed_rpm or outer_speed_rpm"
             )
         zone = self._zone(loads, speeds if has_centrifugal_load else (0.0, 0.0))

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from ehlwave.contact.bodies import Body
+from ehlwave.quantities import number
 
 STEEL_DENSITY = 7850.0
 """Density where elastic constants came without a material, kg/m3."""
@@ -27,6 +29,11 @@ class BearingMotion:
     def length_m(self) -> float | None:
         """Return the length of line contacts; None of balls."""
         return None
+
+    def _speeds_rpm(self, inner: Any, outer: Any) -> tuple[float, float]:  # noqa: ANN401
+        """Return the checked speeds of both rings."""
+        name = type(self).__name__
+        return number(inner, "inner_speed_rpm", name), number(outer, "outer_speed_rpm", name)
 
     def gamma(self, contact_angle_deg: float = 0.0) -> float:
         """Return D cos(angle)/d_m.

@@ -15,7 +15,7 @@ from ehlwave.contact.data_sheet import Oil
 from ehlwave.elements.answers import Questions
 from ehlwave.elements.cam_motion import CamMotion, periodic
 from ehlwave.elements.given import above, at_least, count
-from ehlwave.elements.material import elastic_of
+from ehlwave.elements.material import both_elastic
 from ehlwave.elements.place import ElementContact
 from ehlwave.elements.rolling_resistance import LINE_ERROR
 from ehlwave.elements.table import table_of, unanswered, worst_places
@@ -101,9 +101,7 @@ class CamFollower(CamMotion):
         self.preload_n = at_least(preload_n, "preload_n", name)
         self.spring_rate_n_per_m = at_least(spring_rate_n_per_m, "spring_rate_n_per_m", name)
         self.mass_kg = at_least(mass_kg, "mass_kg", name)
-        both = (material, material) if isinstance(material, str) else tuple(material)
-        constants = (elastic_modulus_pa, poisson_ratio)
-        self.elastic = (elastic_of(both[0], *constants), elastic_of(both[1], *constants))
+        self.elastic = both_elastic(material, elastic_modulus_pa, poisson_ratio, name)
 
     def load_n(self, angle_deg: ArrayLike, cam_speed_rpm: float) -> Floats:
         """Return the load; 0 where the follower lifts off.

@@ -16,6 +16,9 @@ Floats = NDArray[np.float64]
 ROUND_OFF = 1e-6
 """Lift and derivatives over the base radius in a dwell, as far as lift tables have digits."""
 
+WIDEST_GAP = 45.0 * (1 + 1e-9)
+"""Largest distance of two angles of a lift table, degrees: eight even angles have 45."""
+
 
 def periodic(angle_deg: ArrayLike, lift_m: ArrayLike, name: str) -> Any:  # noqa: ANN401
     """Return the lift over the angle in rad as a periodic cubic spline.
@@ -37,10 +40,18 @@ def periodic(angle_deg: ArrayLike, lift_m: ArrayLike, name: str) -> Any:  # noqa
         raise SurfaceError(
             f"{name}: angle_deg and lift_m must be two lists of the same length, 8 or more"
         )
+    if not (np.isfinite(angle).all() and np.isfinite(lift).all()):
+        raise SurfaceError(f"{name}: angle_deg and lift_m must be finite numbers")
     if not (np.all(np.diff(angle) > 0) and angle[-1] - angle[0] <= 360 * (1 + 1e-12)):
         raise SurfaceError(f"{name}: angle_deg must rise over at most one turn, 360 degrees")
     if angle[-1] - angle[0] < 360 * (1 - 1e-9):
         angle, lift = np.append(angle, angle[0] + 360), np.append(lift, lift[0])
+    gap = np.diff(angle).max()
+    if gap > WIDEST_GAP:
+        raise SurfaceError(
+            f"{name}: angle_deg leaves {gap:.4g} degrees without a lift: give the lift over the "
+            f"whole turn, in degrees, at most {WIDEST_GAP:g} apart"
+        )
     lift[-1] = lift[0]
     return scipy.interpolate.CubicSpline(np.radians(angle), lift, bc_type="periodic")
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ehlwave.contact.bodies import Body
-from ehlwave.elements.given import above, at_least
+from ehlwave.elements.given import above, clearance_of
 from ehlwave.elements.load_zone import LoadZone, radial_zone
 from ehlwave.elements.roller_bearing import RollerBearing
 
@@ -58,7 +58,7 @@ class CylindricalRollerBearing(RollerBearing):
     ) -> None:
         """Check the dimensions."""
         self._take({key: value for key, value in locals().items() if key != "self"})
-        self.clearance_m = at_least(clearance_m, "clearance_m", type(self).__name__, -1e-4)
+        self.clearance_m = clearance_of(clearance_m, self.element_diameter_m, type(self).__name__)
 
     def bodies(self, ring: str, contact_angle_deg: float = 0.0) -> tuple[Body, Body]:
         """Return race and roller.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ehlwave.elements.ball_bearing import BallBearing
 from ehlwave.elements.boundary import ball_inside
-from ehlwave.elements.given import at_least
+from ehlwave.elements.given import clearance_of
 
 
 class DeepGrooveBallBearing(BallBearing):
@@ -68,7 +68,7 @@ class DeepGrooveBallBearing(BallBearing):
         """Check the dimensions."""
         elastic = (material, elastic_modulus_pa, poisson_ratio)
         self._take(ball_diameter_m, pitch_diameter_m, balls, conformity, elastic)
-        self.clearance_m = at_least(clearance_m, "clearance_m", type(self).__name__, -1e-4)
+        self.clearance_m = clearance_of(clearance_m, self.element_diameter_m, type(self).__name__)
 
     @classmethod
     def from_boundary(

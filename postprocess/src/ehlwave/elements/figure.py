@@ -8,6 +8,7 @@ import numpy as np
 import xarray as xr
 
 from ehlwave.elements.table import ERRORS
+from ehlwave.extras import load
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -85,6 +86,7 @@ def element_figure(table: xr.Dataset) -> Figure:
     >>> [axes.get_ylabel() for axes in figure.axes][:2]
     ['film [um]', 'friction coefficient']
     """
+    load("matplotlib.figure")  # names the extra where it is missing
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
     from matplotlib.ticker import MaxNLocator

@@ -16,7 +16,7 @@ from ehlwave.contact.data_sheet import Oil
 from ehlwave.elements.answers import Questions
 from ehlwave.elements.given import above, at_least, count, pair
 from ehlwave.elements.involute import InvolutePair
-from ehlwave.elements.material import elastic_of
+from ehlwave.elements.material import both_elastic
 from ehlwave.elements.place import ElementContact
 from ehlwave.elements.rolling_resistance import LINE_ERROR
 from ehlwave.elements.table import table_of, unanswered, worst_places
@@ -61,10 +61,8 @@ class GearPair:
             addendum=above(given["addendum"], "addendum", name, example="1"),
         )
         self.face_width_m = above(given["face_width_m"], "face_width_m", name, example="0.02")
-        material = given["material"]
-        both = (material, material) if isinstance(material, str) else tuple(material)
         constants = (given["elastic_modulus_pa"], given["poisson_ratio"])
-        self.elastic = (elastic_of(both[0], *constants), elastic_of(both[1], *constants))
+        self.elastic = both_elastic(given["material"], *constants, name)
         _ = self.geometry.path_m  # refuses pairs that do not mesh
 
     @property
@@ -132,7 +130,8 @@ class GearPair:
         torque = above(pinion_torque_n_m, "pinion_torque_n_m", name, example="150")
         speed = above(pinion_speed_rpm, "pinion_speed_rpm", name, example="1500")
         s = np.asarray(distance_m, dtype=np.float64)
-        load = float(self._load_n_per_m(torque, s)) * load_factor
+        load = float(self._load_n_per_m(torque, s))
+        load *= above(load_factor, "load_factor", name, example="1")
         first, second = self._speeds(speed, float(s))
         points = self.geometry.named_points_m
         near = min(points, key=lambda key: abs(points[key] - float(s)))

@@ -99,3 +99,24 @@ def pair(value: Any, name: str, place: str) -> tuple[float, float]:  # noqa: ANN
     except (TypeError, ValueError):
         raise SurfaceError(f"{place}: {name} = {value!r:.60}: give two numbers") from None
     return number(first, name, place), number(second, name, place)
+
+
+def clearance_of(value: Any, element_diameter_m: float, place: str) -> float:  # noqa: ANN401
+    """Return a radial internal clearance, of the diameter, in SI.
+
+    Parameters
+    ----------
+    value : object
+        Plain, or with a unit.
+    element_diameter_m : float
+        Of balls or rollers; catalogues have clearances of at most a few per cent of it.
+    place : str
+        Name of the element, for messages.
+    """
+    found = at_least(value, "clearance_m", place, -1e-4)
+    if found > element_diameter_m / 10:
+        raise SurfaceError(
+            f"{place}: clearance_m = {found:g} is above a tenth of the diameter of an element, "
+            f"{element_diameter_m / 10:.3g} m: give it in m, such as 1e-5"
+        )
+    return found

@@ -140,7 +140,7 @@ class InvolutePair:
         Raises
         ------
         SurfaceError
-            If the teeth do not pass the load on, or a tip meets no involute.
+            If the teeth do not pass the load on, are pointed, or a tip meets no involute.
         """
         ends = [
             math.sqrt(max(tip**2 - base**2, 0.0))
@@ -158,7 +158,33 @@ class InvolutePair:
                 "ends beyond the base circles: raise the profile shift of the gear with fewer "
                 "teeth, or its number of teeth"
             )
+        for z, tip in zip(self.teeth, self.thicknesses_m(self.tip_radii_m), strict=True):
+            if tip <= 0:
+                raise SurfaceError(
+                    f"profile_shift = {self.profile_shift}: the teeth of the gear with {z} are "
+                    "pointed below their tip circle: lower its profile shift or the addendum"
+                )
         return first, last
+
+    def thicknesses_m(self, radii_m: tuple[float, float]) -> tuple[float, float]:
+        """Return the transverse thickness of a tooth of each gear at a radius.
+
+        2 r (pi/(2 z) + 2 x tan(alpha_n)/z + inv(alpha_t) - inv(alpha)), cos(alpha) = r_b/r.
+
+        Parameters
+        ----------
+        radii_m : pair of float
+            r of both gears.
+        """
+        normal = math.tan(math.radians(self.pressure_angle_deg))
+        start = involute(self.transverse_angle_rad)
+        first, second = (
+            2 * r * ((math.pi / 2 + 2 * x * normal) / z + start - involute(math.acos(base / r)))
+            for z, x, r, base in zip(
+                self.teeth, self.profile_shift, radii_m, self.base_radii_m, strict=True
+            )
+        )
+        return first, second
 
     @property
     def base_pitch_m(self) -> float:

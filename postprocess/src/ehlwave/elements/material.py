@@ -3,6 +3,7 @@
 from typing import Any
 
 from ehlwave.contact.materials import material as known_material
+from ehlwave.errors import SurfaceError
 
 
 def elastic_of(
@@ -31,3 +32,27 @@ def elastic_of(
         "poisson_ratio": known[1] if poisson_ratio is None else poisson_ratio,
     }
     return found | known.heat._asdict()
+
+
+def both_elastic(
+    material: str | tuple[str, str],
+    elastic_modulus_pa: float | None,
+    poisson_ratio: float | None,
+    place: str,
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return arguments of both bodies.
+
+    Parameters
+    ----------
+    material : str or pair of str
+        Of both bodies, or of each.
+    elastic_modulus_pa, poisson_ratio : float, optional
+        As of :func:`elastic_of`.
+    place : str
+        Name of the element, for messages.
+    """
+    both = (material, material) if isinstance(material, str) else tuple(material)
+    if len(both) != 2:
+        raise SurfaceError(f"{place}: material = {material!r:.60}: give one name, or two")
+    first, second = (elastic_of(one, elastic_modulus_pa, poisson_ratio) for one in both)
+    return first, second

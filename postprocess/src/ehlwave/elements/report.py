@@ -81,7 +81,7 @@ def _summed(table: xr.Dataset, name: str) -> str:
     if isinstance(value, float) and math.isnan(value):
         return f"{FORMULAS[name].label}: not available"
     error = table.attrs.get(f"{name.removesuffix('_w')}_error")
-    label, unit = FORMULAS[name].label, FORMULAS[name].unit
+    label, unit = FORMULAS[name].label, "" if value == "none" else FORMULAS[name].unit
     said = f"{label}: {written(name, value)} {unit}".rstrip()
     if not isinstance(error, float):
         return said

@@ -85,6 +85,8 @@ def write_sweep(
     writer : Writer, optional
         Existing files to overwrite.
     """
+    if not places:
+        raise SurfaceError("write_sweep: no contacts are given")
     oil, out = places[0].oil, Writer() if writer is None else writer
     groups: dict[str, dict[str, Any]] = {"lubricant": {"roelands_index": oil.roelands_index}}
     if oil.eyring_stress_pa is not None:

@@ -37,6 +37,9 @@ ERRORS = {
 }
 """Columns of relative errors by the column that they are of."""
 
+ALWAYS = ("central_film_m", "central_film_error", "minimum_film_m", "minimum_film_error")
+"""Columns that tables have even where no place is answered."""
+
 
 def table_of(
     places: Sequence[ElementContact],
@@ -66,7 +69,7 @@ def table_of(
         if key not in known:
             known[key] = row_of(place, asked)
         rows.append(known[key])
-    names = [name for name in COLUMNS if any(name in row for row in rows)]
+    names = [name for name in COLUMNS if name in ALWAYS or any(name in row for row in rows)]
     data: dict[str, Any] = {
         name: (coordinate, [_number(row.get(name)) for row in rows]) for name in names
     }

@@ -15,6 +15,7 @@ from ehlwave.elements.given import above
 from ehlwave.elements.place import ElementContact
 from ehlwave.elements.rolling_resistance import error_of
 from ehlwave.elements.table import table_of, unanswered, worst_places
+from ehlwave.errors import SurfaceError
 from ehlwave.quantities import number
 
 
@@ -77,6 +78,8 @@ class TestRig:
             As of :meth:`contact_at`.
         """
         speeds = np.atleast_1d(mean_speeds_m_per_s)
+        if speeds.size == 0:
+            raise SurfaceError(f"{type(self).__name__}: mean_speeds_m_per_s is empty: give a speed")
         return [self.contact_at(mean_speed_m_per_s=float(one), **given) for one in speeds]
 
     def over_speeds(

@@ -6,7 +6,7 @@ import math
 
 from ehlwave.contact.bodies import FLAT, Body
 from ehlwave.elements.given import above, pair
-from ehlwave.elements.material import elastic_of
+from ehlwave.elements.material import both_elastic
 from ehlwave.elements.test_rig import TestRig
 from ehlwave.errors import SurfaceError
 
@@ -58,15 +58,14 @@ class TwoDisc(TestRig):
             above(one, "diameters_m", name, example="0.08")
             for one in pair(diameters_m, "diameters_m", name)
         )
-        both = (material, material) if isinstance(material, str) else tuple(material)
-        own, other = (elastic_of(one, elastic_modulus_pa, poisson_ratio) for one in both)
+        own, other = both_elastic(material, elastic_modulus_pa, poisson_ratio, name)
         crown = FLAT
         if crown_radius_m is not None:
             crown = above(crown_radius_m, "crown_radius_m", name, example="0.5")
         else:
-            self.length_m = above(
-                math.nan if width_m is None else width_m, "width_m", name, example="0.01"
-            )
+            if width_m is None:
+                raise SurfaceError(f"{name}: width_m is missing: give it, or crown_radius_m")
+            self.length_m = above(width_m, "width_m", name, example="0.01")
         self.diameters_m = (first, second)
         self.bodies = (Body(first / 2, crown, **own), Body(second / 2, **other))
 
@@ -78,9 +77,8 @@ class TwoDisc(TestRig):
         speeds_rpm : pair of float
             Of both shafts.
         """
-        first, second = (
-            math.pi * d * n / 60 for d, n in zip(self.diameters_m, speeds_rpm, strict=True)
-        )
+        given = pair(speeds_rpm, "speeds_rpm", type(self).__name__)
+        first, second = (math.pi * d * n / 60 for d, n in zip(self.diameters_m, given, strict=True))
         mean = (first + second) / 2
         if mean == 0:
             raise SurfaceError(
