@@ -3,6 +3,7 @@
 import asyncio
 import io
 import json
+import re
 import threading
 from pathlib import Path
 
@@ -157,6 +158,21 @@ def test_messages_have_the_units_of_the_page_and_no_python() -> None:
     assert "= -213.15 C: contacts have -73.15 to 326.85 C<" in warm
     bodies = [quantities.body("12.7")[0], quantities.Quantity("radius_x_m", "Radius", "", {"m": 0})]
     assert "= 4 must" in failure("radius_x_m = 4 must be less", bodies)
+    ball = {"radius_x_m": 0.0127, "radius_y_m": 0.0127}
+    steel = ball | {"material": "steel"}
+    own = ball | {"elastic_modulus_pa": 2e11, "poisson_ratio": 0.3}
+    keys = {"load_n": 40.0, "mean_speed_m_per_s": 4.0, "heat": True}
+    plain_oil = {"viscosity_pa_s": 0.05, "pressure_viscosity_per_pa": 2.2e-8}
+    sheet = {"iso_vg": 68.0, "temperature_k": 333.15}
+    for given, expected in (
+        (Given(keys | plain_oil, (steel, steel)), "needs 'Grade or data sheet' or"),
+        (Given(keys, (own, steel), sheet, "from_grade"), "needs a known material of body 1"),
+    ):
+        with pytest.raises(ResultsError) as caught:
+            answered(Task(given))
+        cold = plain(str(caught.value))
+        assert expected in cold
+        assert not re.search(r"ehlwave|=|\(\.", cold)
     need = plain("need speeds_m_per_s=(u1, u2), or compute it (ehlwave.Case, a harmonic table)")
     assert need == "need Surface speed, or compute it with the program ehlwave-case"
 

@@ -1,14 +1,15 @@
 !> Pressure for a deformation, by the reciprocal transform of the cell kernel: for preconditioners.
 !>
 !> Cosine transforms mirror fields at all edges, so that a field needs no padding. The product with the deformation is
-!> close to 1 away from the edges. Single precision.
+!> close to 1 away from the edges. Double precision: a preconditioner that rounds to single precision is not linear, and
+!> transposed systems preconditioned from the left would keep its error.
 module ehlwave_inverse_deformation
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_int, &
       c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
    use ehlwave_fftw_answer, only: obtained
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_influence
-   use ehlwave_kinds, only: dp, sp
+   use ehlwave_kinds, only: dp
    use ehlwave_work_unit, only: transform_operations
    implicit none (type, external)
    private
@@ -20,7 +21,7 @@ module ehlwave_inverse_deformation
       real(dp) :: operations = 0                        !! of an application
       real(dp) :: shortest = 0                          !! deformation by the shortest waves over their pressure
       type(c_ptr), private :: plan = c_null_ptr
-      real(c_float), allocatable, private :: spectrum(:, :), field(:, :), modes(:, :)   ! (0:nx, 0:ny)
+      real(c_double), allocatable, private :: spectrum(:, :), field(:, :), modes(:, :)   ! (0:nx, 0:ny)
    contains
       procedure :: init
       procedure :: apply
@@ -47,21 +48,21 @@ contains
       allocate (self%spectrum(0:grid%nx, 0:grid%ny), self%field(0:grid%nx, 0:grid%ny), self%modes(0:grid%nx, 0:grid%ny))
       values = size(self%field, kind=c_size_t)
       if (grid%is_line) then
-         self%plan = obtained(fftwf_plan_r2r_1d(grid%nx + 1, self%field, self%modes, FFTW_REDFT00, &
-                                                FFTW_ESTIMATE + FFTW_UNALIGNED), values)
+         self%plan = obtained(fftw_plan_r2r_1d(grid%nx + 1, self%field, self%modes, FFTW_REDFT00, &
+                                               FFTW_ESTIMATE + FFTW_UNALIGNED), values)
       else
-         self%plan = obtained(fftwf_plan_r2r_2d(grid%ny + 1, grid%nx + 1, self%field, self%modes, FFTW_REDFT00, &
-                                                FFTW_REDFT00, FFTW_ESTIMATE + FFTW_UNALIGNED), values)
+         self%plan = obtained(fftw_plan_r2r_2d(grid%ny + 1, grid%nx + 1, self%field, self%modes, FFTW_REDFT00, &
+                                               FFTW_REDFT00, FFTW_ESTIMATE + FFTW_UNALIGNED), values)
       end if
       do j = 0, grid%ny
-         self%field(:, j) = real(cell_influence([(i*grid%hx, i=0, grid%nx)], j*grid%hy, grid%hx, grid%hy, kappa, k), sp)
+         self%field(:, j) = cell_influence([(i*grid%hx, i=0, grid%nx)], j*grid%hy, grid%hx, grid%hy, kappa, k)
       end do
-      call fftwf_execute_r2r(self%plan, self%field, self%modes)
+      call fftw_execute_r2r(self%plan, self%field, self%modes)
       symbol = self%modes
       symbol(0, 0) = maxval(abs(symbol))    ! a line's constant is arbitrary
       symbol = max(symbol, flattest*symbol(0, 0))
       self%shortest = symbol(grid%nx, grid%ny)
-      self%spectrum = real(1/(symbol*2*grid%nx*merge(1, 2*grid%ny, grid%is_line)), sp)
+      self%spectrum = 1/(symbol*2*grid%nx*merge(1, 2*grid%ny, grid%is_line))
       self%operations = transform_operations(4.0_dp*max(1, grid%ny)*grid%nx)
    end subroutine init
 
@@ -70,10 +71,10 @@ contains
       class(inverse_deformation_t), intent(inout) :: self
       real(dp), intent(in), contiguous :: d(0:, 0:)
       real(dp), intent(out), contiguous :: p(0:, 0:)
-      self%field = real(d, sp)
-      call fftwf_execute_r2r(self%plan, self%field, self%modes)
+      self%field = d
+      call fftw_execute_r2r(self%plan, self%field, self%modes)
       self%modes = self%spectrum*self%modes
-      call fftwf_execute_r2r(self%plan, self%modes, self%field)
+      call fftw_execute_r2r(self%plan, self%modes, self%field)
       p = self%field
    end subroutine apply
 
@@ -100,7 +101,7 @@ contains
       if (allocated(self%spectrum)) deallocate (self%spectrum)
       if (allocated(self%field)) deallocate (self%field)
       if (allocated(self%modes)) deallocate (self%modes)
-      if (c_associated(self%plan)) call fftwf_destroy_plan(self%plan)
+      if (c_associated(self%plan)) call fftw_destroy_plan(self%plan)
       self%plan = c_null_ptr
    end subroutine release
 

@@ -39,7 +39,7 @@ module ehlwave_touching_factors
    integer, parameter :: beyond = 10                        !! nodes beyond the edges with Psi = 0
    !> Resistance of the shortest waves by flow over that by deformation above which T is 1.
    real(dp), parameter :: decisive = 10
-   !> Psi^2 that counts as 0: T is single, and its rounding would drive a flow where the oil flows easily.
+   !> Psi^2 that counts as 0: there the oil flows easily.
    real(dp), parameter :: least_part = 1e-2_dp
 
 contains

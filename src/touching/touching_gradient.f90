@@ -5,6 +5,7 @@ module ehlwave_touching_gradient
    use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
    use ehlwave_real_gmres, only: gmres_t
+   use ehlwave_touching_adjoint, only: solve_adjoint
    use ehlwave_touching_change, only: new_change, touching_change_t
    use ehlwave_touching_equations, only: touching_equations_t
    use ehlwave_touching_newton, only: exact, residuals, set_speed, speed_step, touching_solver_t
@@ -76,8 +77,7 @@ contains
 
       call self%system%state_weights(p_weight, h_weight, c_weight, right)
       right(self%n) = speed_weight
-      call self%system%solve(self%gmres, right, adjoint, exact)
-      is_solved = self%gmres%reduction <= exact
+      call solve_adjoint(self%system, self%gmres, right, adjoint, is_solved, exact)
    end subroutine solve
 
    !> Weighted residuals of a variant at the unknowns of the state, with the sign of a right side, and its film.

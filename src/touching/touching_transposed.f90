@@ -8,7 +8,6 @@ module ehlwave_touching_transposed
    use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
-   use ehlwave_real_gmres, only: gmres_t
    use ehlwave_touching_oil_links, only: subtract_links_transposed
    use ehlwave_touching_state, only: touching_state_t
    use ehlwave_touching_system, only: touching_system_t
@@ -25,7 +24,8 @@ module ehlwave_touching_transposed
    contains
       procedure :: set_edges
       procedure :: state_weights
-      procedure :: solve
+      procedure :: product
+      procedure :: finish
       procedure :: multiply => multiply_transposed
       procedure :: precondition => leave
    end type touching_transposed_t
@@ -72,28 +72,25 @@ contains
       call add_pressure(self, self%q, x)
    end subroutine state_weights
 
-   !> Solve A^T x = b, preconditioned from the left: what the product and the preconditioner deform is deformed at once.
-   subroutine solve(self, gmres, b, x, tolerance)
-      class(touching_transposed_t), intent(inout) :: self
-      type(gmres_t), intent(inout) :: gmres
-      real(dp), intent(in), contiguous :: b(:)
-      real(dp), intent(out), contiguous :: x(:)
-      real(dp), intent(in) :: tolerance                      !! of the preconditioned residual
-      real(dp) :: right(size(b))
-
-      self%ahead = 0
-      call finish(self, b, right)
-      call gmres%solve(self, right, x, tolerance)
-   end subroutine solve
-
    !> y = M^(-T) A^T x: the preconditioner from the left.
    subroutine multiply_transposed(self, x, y)
       class(touching_transposed_t), intent(inout) :: self
       real(dp), intent(in), contiguous, target :: x(:)
       real(dp), intent(out), contiguous, target :: y(:)
+      real(dp), allocatable :: image(:)
+
+      allocate (image, mold=x)
+      call product(self, x, image)
+      call finish(self, image, y)
+   end subroutine multiply_transposed
+
+   !> y = A^T x but for the weights of P + C by the deformation under `ahead`.
+   subroutine product(self, x, y)
+      class(touching_transposed_t), intent(inout) :: self
+      real(dp), intent(in), contiguous, target :: x(:)
+      real(dp), intent(out), contiguous, target :: y(:)
       real(dp), pointer, contiguous :: r(:, :)
       real(dp) :: weight
-      real(dp), allocatable :: product(:)
       integer :: k
 
       associate (n => self%unknowns%n)
@@ -127,10 +124,8 @@ contains
             end do
          end if
          self%ahead = self%dh
-         product = y
-         call finish(self, product, y)
       end associate
-   end subroutine multiply_transposed
+   end subroutine product
 
    !> Weights x of the unknowns for weights dr, theta_weight and dh of P, theta and H, and of the load and the share,
    !> without the deformation by dh.

@@ -50,6 +50,12 @@ NAMES = {
 
 PLAIN = (
     (r"give heat data \(heat=\)", "choose 'with heat' under Film and friction"),
+    (
+        r"heat=True needs oil=ehlwave\.Oil\(\.\.\.\)",
+        "'with heat' needs 'Grade or data sheet' or 'Measured oil' under Oil by",
+    ),
+    (r"heat=True: body(\d) has no \w+: give .*", r"'with heat' needs a known material of body \1"),
+    (r"heat=True: the oil has no (\w+), .*", r"'with heat' needs a value that the oil lacks: \1"),
     (r"\s*\(manual: [^)]*\)", ""),
     (r"^ehlwave-(?:case|sweep): ", ""),
     (r"compute it: ehlwave-case, ehlwave\.Case", "compute it with the program ehlwave-case"),
