@@ -417,3 +417,21 @@ def test_usual_heat_of_oils_and_bodies() -> None:
     own = ehlwave.Body(material="steel", conductivity_w_per_m_k=46)
     assert (own.conductivity_w_per_m_k, own.density_kg_per_m3) == (46, 7850)
     assert math.isclose(ehlwave.BodyHeat().effusivity, 13027, rel_tol=1e-3)
+
+
+def test_a_rise_that_is_not_known_is_none() -> None:
+    """Newtonian oils under slip have no friction by law, and no rise of 0 K either."""
+    ball, oil = (
+        ehlwave.Body.ball(0.0254, material="steel"),
+        ehlwave.Oil.from_grade(iso_vg=68, temperature_k=333.15),
+    )
+    disc = ehlwave.Body(material="steel")
+    rises = []
+    for speeds in ((4.0, 3.2), (4.0, 4.0)):
+        contact = ehlwave.Contact.from_bodies(
+            ball, disc, oil=oil, load_n=40, speeds_m_per_s=speeds, heat=True
+        )
+        heated = contact.film(by="laws").heated
+        assert heated is not None
+        rises.append(heated.rise_mid_film_k)
+    assert rises == [None, 0.0]

@@ -35,8 +35,7 @@ SOFT_FILMS, SOFT_FRICTION = 0.015, 0.08
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
-"""Power of :func:`wedge` in the film. Fitted to 187 contacts of unlike bodies, whose films are
-within 0.08 for 95 % of them, without 0.14."""
+"""Power of :func:`wedge` in the film: 95 % of 187 films of unlike bodies within 0.08."""
 RANGES = {
     "load_parameter_m": (5.0, 1500.0),
     "lubricant_parameter_l": (2.0, 20.0),
@@ -88,7 +87,7 @@ class Heated:
     film_error_by_data, friction_error_by_data : float
         Shares of `film_error` by the conductivity, and of `friction_error` by all data of the oil.
     rise_mid_film_k, rise_surfaces_k : float
-        Rises at the centre of the contact, K; 0 where friction is not known.
+        Rises at the centre of the contact, K; None where friction is not known.
     """
 
     film_factor: float
@@ -99,8 +98,8 @@ class Heated:
     friction: float | None = None
     friction_error: float | None = None
     isothermal_friction: float | None = None
-    rise_mid_film_k: float = 0.0
-    rise_surfaces_k: float = 0.0
+    rise_mid_film_k: float | None = None
+    rise_surfaces_k: float | None = None
     film_error_by_data: float = 0.0
     friction_error_by_data: float = 0.0
 
@@ -224,7 +223,8 @@ def warmed(
     inlet, loading = inlet_of(heat), loading_of(conditions, heat)
     by_data = max(abs(inlet_of(_conducting(heat, 1 + e)) / inlet - 1) for e in (-error, error))
     if ratio == 0:
-        return Heated(inlet, inlet, inlet * smallest_of(0.0), *errors_of(0.0))
+        cold = Heated(inlet, inlet, inlet * smallest_of(0.0), *errors_of(0.0))
+        return replace(cold, rise_mid_film_k=0.0, rise_surfaces_k=0.0)
     if eyring_stress_pa is None:  # it warms no more than an oil that does not thin
         hot = shear_warm(sliding_film(conditions, NEWTONIAN_PA, film_m * inlet), heat)
         by_data += abs(wedge(heat, ratio, hot.rise_surfaces_k) ** WEDGE_POWER - 1)

@@ -107,7 +107,7 @@ def warmth_of(film: Film, heat: Heat, slip: float) -> float:
     if slip == 1 or film.heated is None:
         return 0.0
     rise = film.heated.rise_mid_film_k
-    if not rise > 0:  # computed films of other oils have it, laws do not
+    if not rise:  # computed films of other oils have it, laws do not
         raise RangeError(
             "responses under slip with heat need a Ree-Eyring oil (eyring_stress_pa), or compute "
             "the contact with ehlwave-case, &heat wave_temperatures = 'carried'"
