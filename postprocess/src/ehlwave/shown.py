@@ -53,9 +53,13 @@ def percent(share: float) -> str:
 
 def within(value: float, error: float | None, unit: str = "") -> str:
     """Return a number with its relative error, where it is known."""
-    most = value if error is None else value * (1 + error)
     said = f"{value:.4g}{unit}"
-    return said if error is None else f"{said} {spread(error, f'{most:.2g}{unit}')}"
+    return said if error is None else f"{said} {spread_of(value, error, unit)}"
+
+
+def spread_of(value: float, error: float, unit: str = "") -> str:
+    """Return the relative error of a number in words: see :func:`spread`."""
+    return spread(error, f"{value * (1 + error):.2g}{unit}")
 
 
 def spread(error: float, most: str) -> str:

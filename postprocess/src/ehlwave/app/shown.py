@@ -9,7 +9,7 @@ from typing import Any
 
 from ehlwave.app.messages import plain, words
 from ehlwave.app.task import DOTS_PER_INCH, Answer
-from ehlwave.shown import percent, spread, within
+from ehlwave.shown import percent, spread, spread_of, within
 from ehlwave.surface.answer import answer_of
 from ehlwave.surface.narrower import narrower
 from ehlwave.surface.predict import Deformed
@@ -48,11 +48,12 @@ def headline(answer: Answer) -> str:
         return f"<b>{head}</b>{mark}{rest}"
     if found is not None and found.statistics.lambda_ratio_after is not None:
         s = found.statistics
-        lambda_ratio, _, error = within(s.lambda_ratio_after, s.lambda_error).partition(" ")
+        error = "error not known"
+        if s.lambda_error is not None:
+            error = spread_of(s.lambda_ratio_after, s.lambda_error)
         return (
-            f"<b>Lambda ratio {lambda_ratio}</b> {error or 'error not known'}, with the "
-            f"roughness as it is deformed in the contact ({s.lambda_ratio_before:.4g} with the "
-            "undeformed one). "
+            f"<b>Lambda ratio {s.lambda_ratio_after:.4g}</b> {error}, with the roughness as it is "
+            f"deformed in the contact ({s.lambda_ratio_before:.4g} with the undeformed one). "
             f"<b>Film {s.mean_film_m * UM:.4g} um</b>, {_least(found)}."
         )
     if film is None:
@@ -63,11 +64,8 @@ def headline(answer: Answer) -> str:
     thinnest = "the smallest film is not known"
     if math.isfinite(least):
         thinnest = f"{within(least, film.minimum_error, unit)} at the thinnest place"
-    most = f"{central * (1 + film.central_error):.2g}{unit}"
-    return (
-        f"<b>Film {central:.4g}{unit}</b> {spread(film.central_error, most)} at the contact "
-        f"centre, {thinnest}."
-    )
+    error = spread_of(central, film.central_error, unit)
+    return f"<b>Film {central:.4g}{unit}</b> {error} at the contact centre, {thinnest}."
 
 
 def tables(answer: Answer) -> dict[str, list[tuple[str, str]]]:

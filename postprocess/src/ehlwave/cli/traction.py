@@ -6,7 +6,7 @@ import sys
 
 from ehlwave.errors import ArgumentError, ResultsError
 from ehlwave.inputs.slip import RATIO
-from ehlwave.shown import spread
+from ehlwave.shown import spread_of
 from ehlwave.traction import CURVES, Traction, read_keys, traction, traction_figure
 
 
@@ -66,6 +66,6 @@ def text_of(found: Traction) -> str:
     beyond = "it falls again beyond" if falls else "at the end of the ratios"
     limit = "" if found.limit is None else f"; stress at most {found.limit:g} of the pressure"
     error = table.loc[table[found.curve] == value, "friction_error"] if has_error else ()
-    known = "".join(f" {spread(one, f'{value * (1 + one):.2g}')}" for one in error if one == one)
+    known = "".join(f" {spread_of(value, one)}" for one in error if one == one)
     lines.append(f"Largest friction {value:.4f}{known} at {ratio:g}, {beyond}{limit}.")
     return "\n".join([*lines, *(f"Warning      {text}" for text in found.warnings)])

@@ -12,7 +12,7 @@ from ehlwave.elements.answers import Questions, Row, row_of
 from ehlwave.elements.columns import COLUMNS, TEXTS
 from ehlwave.elements.formulas import FORMULAS, written
 from ehlwave.elements.place import ElementContact
-from ehlwave.shown import spread
+from ehlwave.shown import spread_of
 
 WORST = {
     "minimum_film_m": ("thinnest film", min, 1e6, "um"),
@@ -113,9 +113,11 @@ def _within(table: xr.Dataset, name: str, index: Any) -> str:  # noqa: ANN401
     """Return the relative error of a value in words, where it is known."""
     found = table.get(ERRORS.get(name, ""))
     share = float("nan") if found is None else float(found.isel(index))
+    if not np.isfinite(share):
+        return ""
     _, _, factor, unit = WORST[name]
-    most = f"{float(table[name].isel(index)) * factor * (1 + share):.2g} {unit}".rstrip()
-    return f" {spread(share, most)}" if np.isfinite(share) else ""
+    value = float(table[name].isel(index)) * factor
+    return f" {spread_of(value, share, f' {unit}'.rstrip())}"
 
 
 def unanswered(table: xr.Dataset) -> int:

@@ -10,7 +10,6 @@ import pandas as pd
 
 from ehlwave.contact.data_errors import OF_ERRORS
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
-from ehlwave.laws.law_list import film_for
 from ehlwave.laws.slopes import COARSE, FINE, Answer, slopes_of
 
 if TYPE_CHECKING:
@@ -123,7 +122,7 @@ def _slope(
 
 
 def _by_laws(contact: "SmoothContact") -> Answer:
-    film: Film = film_for(contact._asked(), "laws")
+    film: Film = contact._film("laws")
     in_metres = film.central_m is not None
     central = film.central_m if in_metres else film.central_moes
     minimum = film.minimum_m if in_metres else film.minimum_moes

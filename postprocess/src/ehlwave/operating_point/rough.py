@@ -11,7 +11,6 @@ from ehlwave.choices import FILM_BY, WINDOWS, chosen
 from ehlwave.contact.conditions import Conditions
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.laws.film_answer import with_film
-from ehlwave.laws.law_list import film_for
 from ehlwave.laws.notices import warn
 from ehlwave.laws.transfer import Transfer
 from ehlwave.operating_point.wavy import WavyContact
@@ -283,7 +282,7 @@ class RoughContact(WavyContact):
         if c.has_given_film or c.metres_per_moes is None:
             return c, []
         try:
-            film = film_for(self._asked(), by)
+            film = self._film(by)
         except RangeError as error:
             if self.heat is not None:
                 raise

@@ -25,7 +25,7 @@ from ehlwave.laws.notices import warn
 from ehlwave.laws.transfer import Transfer
 from ehlwave.operating_point.shown_rows import shown_rows
 from ehlwave.quantities import number
-from ehlwave.shown import html_table
+from ehlwave.shown import Shown
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from ehlwave.stress.loads import PoissonRatio
 
 
-class SmoothContact:
+class SmoothContact(Shown):
     """Smooth bodies of :class:`ehlwave.Contact`, whose documentation lists its parameters."""
 
     def __init__(
@@ -107,7 +107,7 @@ class SmoothContact:
         films = self._asked().films
         known = films.get(None) or films.get("computed")
         try:
-            return with_film(self._given, known or film_for(self._asked(), "laws"))
+            return with_film(self._given, known or self._film("laws"))
         except RangeError:
             return replace(
                 self._given,
@@ -226,12 +226,9 @@ class SmoothContact:
     def _shown_rows(self) -> dict[str, str]:
         """Return conditions, and the film where the atlas has it."""
         try:
-            return shown_rows(self._given, film_for(self._asked(), "laws"))
+            return shown_rows(self._given, self._film("laws"))
         except RangeError as error:
             return shown_rows(self._given, None) | {"film": str(error)}
-
-    def _repr_html_(self) -> str:
-        return html_table("Contact", self._shown_rows())
 
     def atlas(self) -> Atlas:
         """Return the atlas that answers are from.
@@ -261,6 +258,9 @@ class SmoothContact:
         if key not in self._transfers:
             self._transfers[key] = transfer_for(self._asked(slip), by)
         return self._transfers[key]
+
+    def _film(self, by: str | None) -> Film:
+        return film_for(self._asked(), by)
 
     def film(self, by: str | None = None) -> Film:
         """Return central and smallest film of the smooth contact, and its friction.
@@ -294,6 +294,6 @@ class SmoothContact:
         0.83 um within 1%
         """
         chosen_or_none(by, "by", FILM_BY)
-        found = film_for(self._asked(), by)
+        found = self._film(by)
         warn(found.warnings)
         return found
