@@ -19,7 +19,7 @@ from ehlwave.inputs.key_classes import (
     OF_WAVES,
     WITHOUT_EFFECT,
 )
-from ehlwave.inputs.key_values import EMPTY_HEAT, values_of
+from ehlwave.inputs.key_values import MANDATORY, missing, values_of
 from ehlwave.inputs.namelist import read_namelist
 
 OF_ROUGHNESS = ("waviness", "waviness2", "surface", "surface2")
@@ -96,8 +96,8 @@ def keys_of_file(path: Path) -> dict[str, Any]:
 
 
 def _check_groups(groups: Mapping[str, Any], place: str) -> None:
-    if "heat" in groups and "oil_conductivity_w_per_m_k" not in groups["heat"]:
-        raise SurfaceError(f"{place}: {EMPTY_HEAT}")
+    if "heat" in groups and MANDATORY["heat"] not in groups["heat"]:
+        raise SurfaceError(f"{place}: {missing('heat')}")
     for group in sorted(set(groups) - IN_LAWS):
         raise SurfaceError(
             f"{place}: &{printable(group)}: no law has this effect: remove the group, or compute "
