@@ -1,7 +1,9 @@
 """Tables of rigs: measured results over the conditions that vary."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
@@ -31,6 +33,8 @@ _LENGTHS = {
 }
 _OTHER = {"mean_speed_mm_per_s": ("mean_speed_m_per_s", 1e-3)}
 TEMPERATURE, CELSIUS = "temperature_k", "temperature_c"
+_MARKS = (",", ";", "\t", "|")
+"""Separators of columns. Semicolons leave the comma to numbers."""
 ERROR = "_error"
 """Ending of a column of relative standard errors."""
 
@@ -71,7 +75,7 @@ def read_measurements(source: "str | Path | pd.DataFrame") -> Measurements:
         and ``harmonic_ratio`` (Ad/Ai); relative standard errors as ``central_film_error``.
         Headings of rigs are words with a unit: ``Entrainment speed (mm/s)``, ``SRR (%)``,
         ``Load (N)``, ``Temperature (°C)``, ``Film thickness (nm)``, ``Traction coefficient``.
-        Empty cells of results are left out.
+        Empty cells of results are left out; empty cells of keys take the value of the conditions.
 
     Raises
     ------
@@ -110,6 +114,8 @@ def read_measurements(source: "str | Path | pd.DataFrame") -> Measurements:
             values.append(value)
             error = columns.get(name.removesuffix("_m") + ERROR)
             errors.append(np.nan if error is None else error[row])
+    if not values:
+        raise ArgumentError(f"{place}: no measured value in the columns {', '.join(results)}")
     return Measurements(conditions, names, np.array(values), np.array(errors))
 
 
@@ -119,8 +125,14 @@ def _table_of(source: "str | Path | pd.DataFrame") -> tuple[pd.DataFrame, str]:
     if not Path(source).is_file():
         raise ArgumentError(f"{source}: no such file: give a CSV table of measurements")
     try:
-        table = pd.read_csv(source, sep=None, engine="python", comment="#", encoding="utf-8-sig")
-    except (ValueError, pd.errors.ParserError) as error:
+        lines = Path(source).read_text(encoding="utf-8-sig").splitlines()
+        head = next((line for line in lines if line.strip() and line[0] != "#"), "")
+        mark = max(_MARKS, key=head.count)
+        if mark not in head and not re.search(r"[\[(]", head):  # words of rigs have spaces
+            mark = r"\s+"
+        decimal = "," if mark == ";" else "."
+        table = pd.read_csv(StringIO("\n".join(lines)), sep=mark, comment="#", decimal=decimal)
+    except ValueError as error:
         raise ArgumentError(f"{source}: not a CSV table: {error}") from error
     return table.rename(columns=lambda name: str(name).strip()), str(source)
 
