@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 
+from ehlwave.choices import FILM_BY, chosen_or_none
 from ehlwave.contact.data_errors import OF_ERRORS
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
 from ehlwave.inputs.key_classes import HEAT_DATA
@@ -30,8 +31,9 @@ DEFAULTS = {"pressure_viscosity_per_pa": 2.2e-8, "roelands_index": 0.68}
 KEYS = (
     *("radius_x_m", "radius_y_m", "reduced_modulus_pa", "load_n", "load_n_per_m"),
     *("mean_speed_m_per_s", "viscosity_pa_s", "load_parameter_m", "lubricant_parameter_l"),
-    *("radius_ratio_d", "slip_parameter", "slide_to_roll_ratio", "pressure_viscosity_per_pa"),
-    *("roelands_index", "eyring_stress_pa", "oil_over_flooded"),
+    *("radius_ratio_d", "semi_axis_a_m", "slip_parameter", "slide_to_roll_ratio"),
+    *("pressure_viscosity_per_pa", "roelands_index", "eyring_stress_pa", "carreau_modulus_pa"),
+    *("carreau_exponent", "oil_over_flooded"),
 )
 CELLS, LINE_CELLS = 128, 512
 """Cells of computed contacts whose input has none."""
@@ -43,6 +45,7 @@ WARM = (
 
 def sensitivities(contact: "SmoothContact", by: str | None = None) -> pd.DataFrame:
     """Return the result of :meth:`ehlwave.Contact.sensitivities`."""
+    chosen_or_none(by, "by", FILM_BY)
     keys, refusal = _keys(contact), None
     if by != "computed":
         try:
