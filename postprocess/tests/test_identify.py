@@ -136,6 +136,9 @@ def test_tables_that_are_refused(table: dict[str, list[float]], words: str) -> N
         ("mean_speed_m_per_s,central_film_um\n", "no measured value"),
         ("mean_speed_m_per_s,central_film_um\n1,nan\n", "no measured value"),
         ("mean_speed_m_per_s,central_film_um\n1,0.3 um\n", "no numbers"),
+        ("mean_speed_m_per_s,central_film_um\n1,0.3,5\n", "more cells than the heading"),
+        ("mean_speed_m_per_s,central_film_um\n1,300\n", "at most 0.0001: check its unit"),
+        ("slide_to_roll_ratio,friction_coefficient\n0.1,5\n", "at most 1: check its unit"),
     ],
 )
 def test_files_that_are_refused(tmp_path: Path, text: str, words: str) -> None:

@@ -1,6 +1,7 @@
 """Tables of rigs: measured results over the conditions that vary."""
 
 import re
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from io import StringIO
@@ -33,6 +34,8 @@ _LENGTHS = {
 }
 _OTHER = {"mean_speed_mm_per_s": ("mean_speed_m_per_s", 1e-3)}
 TEMPERATURE, CELSIUS = "temperature_k", "temperature_c"
+_MOST = dict(zip(RESULTS, (1e-4, 1e-4, 1.0, 2.0), strict=True))
+"""Largest plausible results."""
 _MARKS = (",", ";", "\t", "|")
 """Separators of columns. Semicolons leave the comma to numbers."""
 ERROR = "_error"
@@ -107,8 +110,11 @@ def read_measurements(source: "str | Path | pd.DataFrame") -> Measurements:
             value = columns[name][row]
             if not np.isfinite(value):
                 continue
-            if not value > 0:
-                raise ArgumentError(f"{place}, row {row + 1}: {name} = {value:g} must be above 0")
+            if not 0 < value <= _MOST[name]:
+                raise ArgumentError(
+                    f"{place}, row {row + 1}: {name} = {value:g} must be above 0 and at most "
+                    f"{_MOST[name]:g}: check its unit"
+                )
             conditions.append(given)
             names.append(name)
             values.append(value)
@@ -131,7 +137,12 @@ def _table_of(source: "str | Path | pd.DataFrame") -> tuple[pd.DataFrame, str]:
         if mark not in head and not re.search(r"[\[(]", head):  # words of rigs have spaces
             mark = r"\s+"
         decimal = "," if mark == ";" else "."
-        table = pd.read_csv(StringIO("\n".join(lines)), sep=mark, comment="#", decimal=decimal)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", pd.errors.ParserWarning)  # cells without a heading
+            text = StringIO("\n".join(lines))
+            table = pd.read_csv(text, sep=mark, comment="#", decimal=decimal, index_col=False)
+    except pd.errors.ParserWarning:
+        raise ArgumentError(f"{source}: a row has more cells than the heading") from None
     except ValueError as error:
         raise ArgumentError(f"{source}: not a CSV table: {error}") from error
     return table.rename(columns=lambda name: str(name).strip()), str(source)
