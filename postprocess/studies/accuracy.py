@@ -111,7 +111,10 @@ def write_asked(folder: Path, options: argparse.Namespace) -> Path:
 
 
 def finer(found: Row) -> Row:
-    """Return the row of half the mesh on twice the domain; waves as a linear response."""
+    """Return the row of half the mesh on twice the domain, with the scheme of the result.
+
+    Waves are a linear response.
+    """
     x_min, x_max, y_max = found["domain_x_min"], found["domain_x_max"], found["domain_y_max"]
     wider = {"x_min": 2 * x_min, "x_max": 1.5 * x_max, "y_max": 2 * y_max}
     h_x = (x_max - x_min) / found["cells_x"] / 2
@@ -119,7 +122,7 @@ def finer(found: Row) -> Row:
     keys = [
         *("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d", "slip_parameter"),
         *("flow_law", "orientation", "wavelength_over_a", "wavelength_x_over_a"),
-        *("wavelength_y_over_a", "oblique", "amplitude_over_film"),
+        *("wavelength_y_over_a", "oblique", "amplitude_over_film", "scheme"),
     ]
     row = {key: found[key] for key in keys if key in found}
     if row["orientation"] == "custom":
