@@ -54,7 +54,7 @@ def test_every_key_has_a_row() -> None:
 
 
 def random_contact(rng: random.Random) -> dict[str, Any]:
-    """Draw a line or an ellipse that rolls or slides, warm or starved, whose film an atlas has."""
+    """Draw a line or an ellipse that rolls or slides, warm or starved, whose film a law has."""
     while True:
         radius, hertz = 10 ** rng.uniform(-2.3, -1.6), rng.uniform(0.4e9, 1.8e9)
         keys: dict[str, Any] = {
@@ -79,8 +79,8 @@ def random_contact(rng: random.Random) -> dict[str, Any]:
         if rng.random() < 0.3:
             keys["heat"] = ehlwave.Heat(333.0, 0.04, 0.14, 2000, 870)
         with contextlib.suppress(RangeError):
-            if "atlas" in ehlwave.Contact(**keys).film("laws").source:
-                return keys
+            ehlwave.Contact(**keys).film("laws")
+            return keys
 
 
 def results(keys: dict[str, Any], wave: float) -> Answer:
@@ -94,17 +94,25 @@ def results(keys: dict[str, Any], wave: float) -> Answer:
     return {k: math.log(abs(v)) for k, v in found.items() if v}, law_of(film.source) + source
 
 
+LIGHT = [
+    {"load_parameter_m": m, "lubricant_parameter_l": 8.0, "radius_ratio_d": d}
+    for m, d in ((2.125, 1.0), (0.1, 0.0))
+]
+"""A ball and a line that hardly deform."""
+
+
 def test_slopes_of_random_contacts() -> None:
     """Derivatives by every key equal differences of fourth order with steps 20 times as large."""
     step, count = 20 * STEP, 0
-    for number in range(300 if IS_LONG else 10):
+    for number in range(-len(LIGHT), 300 if IS_LONG else 10):
         rng = random.Random(number)
-        keys, wave = random_contact(rng), rng.uniform(0.25, 1.0)
+        keys = LIGHT[number] if number < 0 else random_contact(rng)
+        wave = rng.uniform(0.25, 1.0)
 
         def at(x: float, key: str, keys: dict[str, Any] = keys, wave: float = wave) -> Answer:
             return results({**keys, key: keys[key] * math.exp(x)}, wave)
 
-        for key in keys.keys() - {"heat"}:
+        for key in [key for key, value in keys.items() if isinstance(value, float) and value]:
             found = slopes_of(partial(at, key=key))
             assert all(map(math.isfinite, found.values())), (number, key)
             try:
