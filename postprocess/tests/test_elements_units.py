@@ -50,6 +50,10 @@ LOADED = {"inner_speed_rpm": 3000, "radial_load_n": 3000, "oil": OIL, "by": "law
             "bore_m = 40: did you mean 0.04",
         ),
         (
+            lambda: DeepGrooveBallBearing(ball_diameter_m=0.052, pitch_diameter_m=0.06, balls=3),
+            "balls = 3 of ball_diameter_m = 0.052 do not fit",  # chords of 0.866 of the circle
+        ),
+        (
             lambda: DeepGrooveBallBearing(**BALLS).over_load_zone(**LOADED, rings=()),
             r"rings = \(\): give a list of",
         ),
