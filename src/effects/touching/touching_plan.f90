@@ -11,9 +11,9 @@ module ehlwave_touching_plan
    implicit none (type, external)
    private
 
-   ! Cost of time steps over steps of a full film; work over plan: 0.6 to 1.7 in 9 marches of lines (192 and 384 cells),
-   ! 0.3 to 2 in 10 of balls (32 x 32 and 48 x 48 cells), least where surfaces hardly touch
-   real(dp), parameter :: line_cost = 2, cost = 4.5_dp
+   ! Cost of time steps over steps of a full film; work over plan: 0.5 to 1.4 in 5 marches of lines (192 cells), 0.4 to
+   ! 1.9 in 14 of balls (32 x 32 to 64 x 64 cells), least where surfaces hardly touch
+   real(dp), parameter :: line_cost = 2, cost = 2.7_dp
 
    type, extends(effect_plan_t), public :: touching_plan_t
       logical :: is_given = .false., is_line = .false.
