@@ -157,6 +157,7 @@ def test_heat_of_a_file_is_that_of_the_one_call(tmp_path: Path, capsys: Capture)
         ({"lubricant": {"shear_limit_over_pressure": 0.02}}, "shear_limit_over_pressure = 0.02: "),
         ({"lubricant": {"density_law": "incompressible"}}, "density_law = 'incompressible': the"),
         ({"lubricant": {"viscosity_law": "barus"}}, "viscosity_law = 'barus': the atlas"),
+        ({"touching": {"film_m": 2e-8}}, "&touching: no law has this effect: remove the group"),
         ({"lubricant": {"eyring_stres_pa": 1e6}}, r"unknown key eyring_stres_pa \(did you mean"),
         ({"lubrication": {"roelands_index": 0.5}}, r"&lubrication is no group .*did you mean"),
     ],

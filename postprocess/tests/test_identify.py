@@ -7,9 +7,10 @@ import numpy as np
 import pandas as pd
 import pytest
 
+import ehlwave
 from ehlwave.cli import main
 from ehlwave.contact.alpha_estimates import ESTIMATES
-from ehlwave.errors import ArgumentError
+from ehlwave.errors import ArgumentError, RangeError
 from ehlwave.identify import identification_figure, identify, read_measurements
 from studies import identified
 from studies.identified import BALL, FAR, NOISE, SPEEDS, films, frictions
@@ -125,6 +126,56 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
 def test_tables_that_are_refused(table: dict[str, list[float]], words: str) -> None:
     with pytest.raises(ArgumentError, match=words):
         read_measurements(pd.DataFrame(table))
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", "no such file|not a CSV table"),
+        ("mean_speed_m_per_s\n1\n", "no measured result"),
+        ("mean_speed_m_per_s,central_film_um\n", "no measured value"),
+        ("mean_speed_m_per_s,central_film_um\n1,nan\n", "no measured value"),
+        ("mean_speed_m_per_s,central_film_um\n1,0.3 um\n", "no numbers"),
+        ("mean_speed_m_per_s,central_film_um\n1,0.3,5\n", "more cells than the heading"),
+        ("mean_speed_m_per_s,central_film_um\n1,300\n", "at most 0.0001: check its unit"),
+        ("slide_to_roll_ratio,friction_coefficient\n0.1,5\n", "at most 1: check its unit"),
+    ],
+)
+def test_files_that_are_refused(tmp_path: Path, text: str, words: str) -> None:
+    (tmp_path / "films.csv").write_text(text)
+    with pytest.raises(ArgumentError, match=words):
+        read_measurements(tmp_path / "films.csv")
+
+
+def test_decimal_commas_and_spaces(tmp_path: Path) -> None:
+    for text in (
+        "mean_speed_m_per_s;central_film_um\n1;0,3\n",
+        "mean_speed_m_per_s central_film_um\n1 0.3\n",
+    ):
+        (tmp_path / "films.csv").write_text(text)
+        assert read_measurements(tmp_path / "films.csv").value == pytest.approx([0.3e-6])
+
+
+@pytest.mark.parametrize("by", [None, "computed"])
+def test_heat_beyond_its_laws_is_refused(by: str | None) -> None:
+    """Computed contacts with heat have no derivatives: refused before anything is computed."""
+    heat = ehlwave.Heat(313.15, 0.042, 0.14, 2000, 870)
+    keys = BALL | {"load_n": 40.0 if by else 4e4}
+    words = f"derivatives with heat.*leave out heat{'' if by else '.*The laws: load_n'}"
+    with pytest.raises(ArgumentError, match=f"measured value 1, central_film_m: {words}"):
+        identify(films(3), keys | heat.keys(), ["alpha"], by=by)
+    contact = ehlwave.Contact(**keys, mean_speed_m_per_s=1, heat=heat)
+    with pytest.raises(RangeError, match=words):
+        contact.sensitivities(by)
+
+
+def test_a_value_that_is_no_contact() -> None:
+    table = pd.DataFrame({"mean_speed_m_per_s": [1.0, 0.0], "central_film_um": [0.3, 0.1]})
+    with pytest.raises(ArgumentError, match=r"measured value 2.*mean_speed_m_per_s = 0"):
+        identify(table, BALL, ["alpha"])
+    table = pd.DataFrame({"slide_to_roll_ratio": [0.1, 0.0], "friction_coefficient": [0.03, 1e-3]})
+    with pytest.raises(ArgumentError, match=r"measured value 2.* rolls has none"):
+        identify(table, BALL | {"mean_speed_m_per_s": 1.0}, ["eyring_stress"])
 
 
 def test_headings_of_rigs(tmp_path: Path) -> None:

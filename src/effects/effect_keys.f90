@@ -18,7 +18,7 @@ module ehlwave_effect_keys
       procedure, nopass :: refuses
       procedure :: changing
       procedure, nopass :: finds_temperatures
-      procedure, nopass :: empty_group
+      procedure, nopass :: mandatory_key
    end type effect_keys_t
 
    abstract interface
@@ -63,9 +63,10 @@ contains
       finds_temperatures = .false.
    end function finds_temperatures
 
-   !> The group of the effect, where an empty one is a mistake, and a message; both stay as they are otherwise.
-   pure subroutine empty_group(group, message)
-      character(len=:), allocatable, intent(inout) :: group, message
-   end subroutine empty_group
+   !> Name of the key without which the group of the effect is a mistake; '': none.
+   pure function mandatory_key() result(name)
+      character(len=:), allocatable :: name
+      name = ''
+   end function mandatory_key
 
 end module ehlwave_effect_keys

@@ -22,7 +22,7 @@ module ehlwave_effects_keys
       procedure :: refuse
       procedure :: changing
       procedure :: are_warm
-      procedure, nopass :: find_empty_group
+      procedure, nopass :: mandatory_key
    end type effects_keys_t
 
 contains
@@ -91,16 +91,14 @@ contains
       end do
    end function are_warm
 
-   !> The group of effect number k, where an empty one is a mistake, and a message; '' otherwise.
-   subroutine find_empty_group(k, group, message)
+   !> Name of the key without which the group of effect number k is a mistake; '': none.
+   function mandatory_key(k) result(name)
       integer, intent(in) :: k
-      character(len=:), allocatable, intent(out) :: group, message
+      character(len=:), allocatable :: name
       type(effects_keys_t), target :: effects
       class(effect_keys_t), pointer :: one
       one => effects%effect(k)
-      group = ''
-      message = ''
-      call one%empty_group(group, message)
-   end subroutine find_empty_group
+      name = one%mandatory_key()
+   end function mandatory_key
 
 end module ehlwave_effects_keys

@@ -6,7 +6,7 @@ module ehlwave_case_input
    use ehlwave_effects_keys, only: effect_count
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: read_key
-   use ehlwave_key_list, only: key_list_t
+   use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_kinds, only: dp
    use ehlwave_namelist, only: namelist_t
    use ehlwave_namelist_scanner, only: value_t
@@ -81,7 +81,7 @@ contains
       type(key_list_t) :: list
       type(value_t), allocatable :: item
       character(len=:), allocatable :: group, problem
-      integer :: k
+      integer :: k, n
 
       list = case_key_list(self%case)
       call read_keys(file, list, self%is_given, error)
@@ -92,9 +92,12 @@ contains
       end if
       call take_values(list, self%case)
       do k = 1, effect_count
-         call self%case%effects%find_empty_group(k, group, problem)
-         if (group == '' .or. any(self%is_given(:list%count) .and. list%keys(:list%count)%group == group)) cycle
-         if (.not. allocated(error) .and. file%has_group(group)) call raise(error, file%place(group, '')//problem)
+         n = find_key(list%keys(:list%count), self%case%effects%mandatory_key(k))
+         if (n == 0) cycle
+         group = trim(list%keys(n)%group)
+         if (any(self%is_given(:list%count) .and. list%keys(:list%count)%group == group)) cycle
+         if (.not. allocated(error) .and. file%has_group(group)) call raise(error, file%place(group, '')//'&'// &
+            group//' needs '//trim(list%keys(n)%name)//': give it, or remove the group')
       end do
    end subroutine read_groups
 

@@ -20,7 +20,7 @@ KEY_LISTING = os.environ.get("EHLWAVE_KEY_LISTING")
 LISTING = os.environ.get("EHLWAVE_NAMELIST_LISTING")
 ROOT = Path(__file__).resolve().parents[2]
 DRAWN, MUTATED, BOUNDED = (5000, 5000, 20000) if IS_LONG else (60, 60, 500)
-ADVICE = re.compile(r"(unknown (group|key)|&\w+ is no group|; did you mean|(?<=&heat )(has no data|needs)).*")
+ADVICE = re.compile(r"(unknown (group|key)|&\w+ is no group|; did you mean).*")
 """End of a message; each reader has its own."""
 
 

@@ -121,13 +121,18 @@ def difference(groups, key, name, at, runs):
     return None if value(2*side) is None else (-1.5*at + 2*value(side) - 0.5*value(2*side))/side
 
 
-def record(path, numbers, outcomes):
-    """Write draws with their derivatives and largest deviations from centred differences."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file)
-        table.writerow(["draw", "contact", "oil", "flow", "inlet", "waves", "derivatives", "largest_deviation"])
-        for number, (count, worst) in zip(numbers, outcomes):
-            table.writerow([number, *kind(contact(number)), count, f"{worst:.1e}"])
+def recorded(path):
+    """Return derivatives and largest deviations of the draws of a table as record/gradients.csv, which is begun if it is not there."""
+    if not os.path.exists(path):
+        append(path, ["draw", "contact", "oil", "flow", "inlet", "waves", "derivatives", "largest_deviation"])
+    with open(path, newline="", encoding="utf-8") as file:
+        return {int(row["draw"]): (int(row["derivatives"]), float(row["largest_deviation"])) for row in csv.DictReader(file)}
+
+
+def append(path, row):
+    """Append a row to a table."""
+    with open(path, "a", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerow(row)
 
 
 def kind(groups):
@@ -168,9 +173,10 @@ class InputGradients(TestCase):
                     continue
                 expected = difference(groups, key, of + (unit if lengths else ""), math.log(abs(base)), runs)
                 self.assertIsNotNone(found, f"{number}: {of} by {key}")
-                self.assertLessEqual(abs(found - expected), max(AGREEMENT*abs(expected), ABSOLUTE),
-                                     f"{number}: {of} by {key}: {found} against {expected} in {groups}")
-                count, worst = count + 1, max(worst, abs(found - expected)/max(abs(expected), ABSOLUTE/AGREEMENT))
+                deviation = abs(found - expected)/max(abs(expected), ABSOLUTE/AGREEMENT)
+                if not deviation <= AGREEMENT:   # the other draws are computed first
+                    report(f"{number}: {of} by {key}: {found} against {expected} in {groups}")
+                count, worst = count + 1, max(worst, deviation)
         return count, worst
 
     def test_drawn_contacts(self):
@@ -178,14 +184,20 @@ class InputGradients(TestCase):
         first = int(os.environ.get("EHLWAVE_FIRST_DRAW", "0"))
         numbers = [*range(first, first + (200 if IS_LONG else 6)), *range(TOUCHING + first, TOUCHING + first + (60 if IS_LONG else 3))]
         numbers = [number for number in numbers if number not in TWO_SOLUTIONS]
-        outcomes = [self.check(number) for number in numbers]
-        for least, kind_of, name in ((0.9, [n < TOUCHING for n in numbers], "full films"), (0.5, [n >= TOUCHING for n in numbers], "touching surfaces")):
-            counts = [count for (count, _), is_meant in zip(outcomes, kind_of) if is_meant]
+        path = os.environ.get("EHLWAVE_GRADIENTS")   # a table as record/gradients.csv, which goes on where it was stopped
+        outcomes = recorded(path) if path else {}
+        for number in numbers:
+            with self.subTest(draw=number):   # a draw that fails leaves the others
+                if number not in outcomes:
+                    outcomes[number] = count, worst = self.check(number)
+                    if path:
+                        append(path, [number, *kind(contact(number)), count, f"{worst:.1e}"])
+                self.assertLessEqual(outcomes[number][1], AGREEMENT)
+        for least, is_touching, name in ((0.9, False, "full films"), (0.5, True, "touching surfaces")):
+            counts = [outcomes.get(number, (0, 0))[0] for number in numbers if (number >= TOUCHING) == is_touching]
             self.assertGreater(sum(count > 0 for count in counts), least*len(counts), f"{name} with a solution")
-        if path := os.environ.get("EHLWAVE_GRADIENTS"):   # a table as record/gradients.csv
-            record(path, numbers, outcomes)
-        report(f"{len(outcomes)} contacts, {sum(count for count, _ in outcomes)} derivatives: "
-               f"largest deviation {max(worst for _, worst in outcomes):.1e}")
+        report(f"{len(outcomes)} contacts, {sum(count for count, _ in outcomes.values())} derivatives: "
+               f"largest deviation {max(worst for _, worst in outcomes.values()):.1e}")
 
     def test_slide_to_roll_ratio(self):
         """Slip in other words: ln(S) and ln of the ratio are one change."""

@@ -15,7 +15,7 @@ program test_reference_march
    use ehlwave_transport, only: characteristic_transport
    use ehlwave_waviness, only: new_waviness, waviness_t
    use sample_contact, only: make_conditions, make_multigrid
-   use testing, only: test_t
+   use testing, only: is_long, test_t
    implicit none (type, external)
 
    ! columns of transient.csv
@@ -37,7 +37,8 @@ program test_reference_march
    call test%check_equal(trim(table%names(column_ratio))//' '//trim(table%names(column_fit)), &
                          'amplitude_ratio amplitude_ratio_fit', 'columns')
    worst = 0
-   do row = 1, size(table%line)
+   ! Daily a third of them: both amplitudes, both orientations, both shapes.
+   do row = merge(1, 2, is_long()), size(table%line), merge(1, 3, is_long())
       call compare_row(row)
    end do
    print '(a)', 'measured: largest deviation '//to_text(worst, 2)

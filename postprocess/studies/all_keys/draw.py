@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ehlwave.inputs.key_classes import OF_TOUCHING
+from ehlwave.inputs.key_classes import OF_OTHER_EFFECTS
 from studies.all_keys import rules
 from studies.all_keys.random_contact import AMBIENT_K, Contact
 from studies.all_keys.rules import ONE_LENGTH, Draw, Row, Value
@@ -215,7 +215,7 @@ DRAWS: dict[str, Draw] = {
 }
 
 
-NOT_DRAWN = OF_TOUCHING | {"amplitude_m", "amplitude_m_2", "phase_deg"}
+NOT_DRAWN = OF_OTHER_EFFECTS | {"amplitude_m", "amplitude_m_2", "phase_deg"}
 """Keys of surfaces that touch, which few other keys go with: ``test_touching`` has them."""
 
 

@@ -17,7 +17,7 @@ module ehlwave_heat_keys
       procedure :: is_given
       procedure, nopass :: refuses
       procedure, nopass :: finds_temperatures
-      procedure, nopass :: empty_group
+      procedure, nopass :: mandatory_key
    end type heat_keys_t
 
 contains
@@ -47,12 +47,10 @@ contains
       finds_temperatures = .true.
    end function finds_temperatures
 
-   pure subroutine empty_group(group, message)
-      character(len=:), allocatable, intent(inout) :: group, message
-      group = 'heat'
-      message = '&heat has no data: write oil_conductivity_w_per_m_k and the others that it needs, or remove the '// &
-         'group, without which the contact is isothermal'
-   end subroutine empty_group
+   pure function mandatory_key() result(name)
+      character(len=:), allocatable :: name
+      name = 'oil_conductivity_w_per_m_k'
+   end function mandatory_key
 
    subroutine visit_data(heat, list)
       type(heat_data_t), intent(inout) :: heat

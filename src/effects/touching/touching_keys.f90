@@ -15,7 +15,7 @@ module ehlwave_touching_keys
       procedure :: visit
       procedure :: is_given
       procedure, nopass :: refuses
-      procedure, nopass :: empty_group
+      procedure, nopass :: mandatory_key
    end type touching_keys_t
 
 contains
@@ -41,12 +41,10 @@ contains
       refuses = any(method == [by_fas, by_second_order])
    end function refuses
 
-   pure subroutine empty_group(group, message)
-      character(len=:), allocatable, intent(inout) :: group, message
-      group = 'touching'
-      message = '&touching film_m is missing: write the boundary film at which solids begin to bear, or remove '// &
-         'the group'
-   end subroutine empty_group
+   pure function mandatory_key() result(name)
+      character(len=:), allocatable :: name
+      name = 'film_m'
+   end function mandatory_key
 
    subroutine visit_data(touching, list)
       type(touching_data_t), intent(inout) :: touching

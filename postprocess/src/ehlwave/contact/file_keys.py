@@ -13,12 +13,13 @@ from ehlwave.contact.starvation import OIL_OVER_FLOODED
 from ehlwave.errors import SurfaceError, printable
 from ehlwave.inputs.key_classes import (
     HEAT_DATA,
+    IN_LAWS,
+    OF_OTHER_EFFECTS,
     OF_THE_SOLUTION,
-    OF_TOUCHING,
     OF_WAVES,
     WITHOUT_EFFECT,
 )
-from ehlwave.inputs.key_values import EMPTY_HEAT, values_of
+from ehlwave.inputs.key_values import MANDATORY, missing, values_of
 from ehlwave.inputs.namelist import read_namelist
 
 OF_ROUGHNESS = ("waviness", "waviness2", "surface", "surface2")
@@ -66,7 +67,7 @@ USED = (*KNOWN_KEYS, *HEAT_DATA, *KNOWN_LAWS, FLOW_LAW, TEMPERATURE, LIMIT, LIMI
 
 def is_classified(key: str) -> bool:
     """Return whether a key is classified for predictions."""
-    named = (*USED, *OTHER_INLET_KEYS, *NOT_USED, *LEFT_OUT, *OF_TOUCHING)
+    named = (*USED, *OTHER_INLET_KEYS, *NOT_USED, *LEFT_OUT, *OF_OTHER_EFFECTS)
     return key in named or key.startswith(LAW_PREFIXES)
 
 
@@ -95,12 +96,12 @@ def keys_of_file(path: Path) -> dict[str, Any]:
 
 
 def _check_groups(groups: Mapping[str, Any], place: str) -> None:
-    if "heat" in groups and "oil_conductivity_w_per_m_k" not in groups["heat"]:
-        raise SurfaceError(f"{place}: {EMPTY_HEAT}")
-    if "touching" in groups:
+    if "heat" in groups and MANDATORY["heat"] not in groups["heat"]:
+        raise SurfaceError(f"{place}: {missing('heat')}")
+    for group in sorted(set(groups) - IN_LAWS):
         raise SurfaceError(
-            f"{place}: &touching: no law has surfaces that touch: remove the group, or compute the "
-            "contact with ehlwave-case"
+            f"{place}: &{printable(group)}: no law has this effect: remove the group, or compute "
+            "the contact with ehlwave-case"
         )
     for key in groups.get("inlet", {}):
         if key != OIL_OVER_FLOODED:

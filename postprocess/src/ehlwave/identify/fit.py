@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.errors import ArgumentError, RangeError
+from ehlwave.errors import ArgumentError
 from ehlwave.identify.identified import Identified, result_of
 from ehlwave.identify.measurements import TEMPERATURE, Measurements, read_measurements
 from ehlwave.identify.model import DECAY, VISCOSITY, Model, check_parameter
 from ehlwave.inputs.key_table import KEYS
-from ehlwave.inputs.slip import merged
+from ehlwave.inputs.slip import RATIO, SLIP, merged
 from ehlwave.traction.given import read_keys
 
 if TYPE_CHECKING:
@@ -68,7 +68,8 @@ def identify(
     Raises
     ------
     ArgumentError
-        If something is missing, or there are fewer values than parameters.
+        If something is missing, there are fewer values than parameters, or a measured contact has
+        no derivatives: none of computed contacts with heat.
 
     Examples
     --------
@@ -94,6 +95,12 @@ def identify(
     rows = [merged({**keys, **start}, row) for row in data.conditions]
     if clash := [name for name in names if any(name in row for row in data.conditions)]:
         raise ArgumentError(f"--fit {clash[0]}: the measurements have a column of it")
+    for number, (row, name) in enumerate(zip(rows, data.result, strict=True), 1):
+        if name == "friction_coefficient" and not row.get(RATIO) and row.get(SLIP, 1) == 1:
+            raise ArgumentError(
+                f"measured value {number}, {name}: a contact that rolls has none: give a "
+                "slide_to_roll_ratio above 0, or leave the value out"
+            )
     model = Model(rows, data.result, names, reference, by)
     weights = 1 / _errors(data, error)
     measured = np.log(data.value)
@@ -105,19 +112,16 @@ def identify(
         return known[values.tobytes()]
 
     first = np.log([start[name] for name in names])
-    try:
-        found = least_squares(
-            lambda x: weights * (at(x)[0] - measured),
-            first,
-            jac=lambda x: weights[:, None] * at(x)[1],
-            bounds=_bounds(names, first),
-            x_scale=1.0,
-            xtol=1e-8,
-            ftol=1e-10,
-            gtol=1e-10,
-        )
-    except RangeError as problem:
-        raise ArgumentError(f"no law holds for all measurements: {problem}") from problem
+    found = least_squares(
+        lambda x: weights * (at(x)[0] - measured),
+        first,
+        jac=lambda x: weights[:, None] * at(x)[1],
+        bounds=_bounds(names, first),
+        x_scale=1.0,
+        xtol=1e-8,
+        ftol=1e-10,
+        gtol=1e-10,
+    )
     return result_of(data, names, reference, found, at(found.x)[0], weights, error, model)
 
 

@@ -100,7 +100,7 @@ def result_of(
     chi = float(np.sum(found.fun**2))
     noise = 1.0 if is_given else np.sqrt(chi / free) if free else np.nan
     _, sizes, directions = np.linalg.svd(found.jac, full_matrices=False)
-    weak = sizes < SINGULAR * sizes[0]
+    weak = ~(sizes > SINGULAR * sizes[0])  # all, if nothing depends on the parameters
     spread = np.where(weak, 1e6, 1 / np.where(weak, 1.0, sizes))
     covariance = (directions.T * spread**2) @ directions * noise**2
     errors = np.sqrt(np.diag(covariance))

@@ -1,7 +1,10 @@
 """Tables of rigs: measured results over the conditions that vary."""
 
+import re
+import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
+from io import StringIO
 from pathlib import Path
 from typing import Any
 
@@ -31,6 +34,10 @@ _LENGTHS = {
 }
 _OTHER = {"mean_speed_mm_per_s": ("mean_speed_m_per_s", 1e-3)}
 TEMPERATURE, CELSIUS = "temperature_k", "temperature_c"
+_MOST = dict(zip(RESULTS, (1e-4, 1e-4, 1.0, 2.0), strict=True))
+"""Largest plausible results."""
+_MARKS = (",", ";", "\t", "|")
+"""Separators of columns. Semicolons leave the comma to numbers."""
 ERROR = "_error"
 """Ending of a column of relative standard errors."""
 
@@ -71,7 +78,7 @@ def read_measurements(source: "str | Path | pd.DataFrame") -> Measurements:
         and ``harmonic_ratio`` (Ad/Ai); relative standard errors as ``central_film_error``.
         Headings of rigs are words with a unit: ``Entrainment speed (mm/s)``, ``SRR (%)``,
         ``Load (N)``, ``Temperature (°C)``, ``Film thickness (nm)``, ``Traction coefficient``.
-        Empty cells of results are left out.
+        Empty cells of results are left out; empty cells of keys take the value of the conditions.
 
     Raises
     ------
@@ -103,13 +110,18 @@ def read_measurements(source: "str | Path | pd.DataFrame") -> Measurements:
             value = columns[name][row]
             if not np.isfinite(value):
                 continue
-            if not value > 0:
-                raise ArgumentError(f"{place}, row {row + 1}: {name} = {value:g} must be above 0")
+            if not 0 < value <= _MOST[name]:
+                raise ArgumentError(
+                    f"{place}, row {row + 1}: {name} = {value:g} must be above 0 and at most "
+                    f"{_MOST[name]:g}: check its unit"
+                )
             conditions.append(given)
             names.append(name)
             values.append(value)
             error = columns.get(name.removesuffix("_m") + ERROR)
             errors.append(np.nan if error is None else error[row])
+    if not values:
+        raise ArgumentError(f"{place}: no measured value in the columns {', '.join(results)}")
     return Measurements(conditions, names, np.array(values), np.array(errors))
 
 
@@ -119,8 +131,19 @@ def _table_of(source: "str | Path | pd.DataFrame") -> tuple[pd.DataFrame, str]:
     if not Path(source).is_file():
         raise ArgumentError(f"{source}: no such file: give a CSV table of measurements")
     try:
-        table = pd.read_csv(source, sep=None, engine="python", comment="#", encoding="utf-8-sig")
-    except (ValueError, pd.errors.ParserError) as error:
+        lines = Path(source).read_text(encoding="utf-8-sig").splitlines()
+        head = next((line for line in lines if line.strip() and line[0] != "#"), "")
+        mark = max(_MARKS, key=head.count)
+        if mark not in head and not re.search(r"[\[(]", head):  # words of rigs have spaces
+            mark = r"\s+"
+        decimal = "," if mark == ";" else "."
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", pd.errors.ParserWarning)  # cells without a heading
+            text = StringIO("\n".join(lines))
+            table = pd.read_csv(text, sep=mark, comment="#", decimal=decimal, index_col=False)
+    except pd.errors.ParserWarning:
+        raise ArgumentError(f"{source}: a row has more cells than the heading") from None
+    except ValueError as error:
         raise ArgumentError(f"{source}: not a CSV table: {error}") from error
     return table.rename(columns=lambda name: str(name).strip()), str(source)
 

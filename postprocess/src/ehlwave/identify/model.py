@@ -8,14 +8,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.cases.case import Case
 from ehlwave.contact.conditions_read import given_of
-from ehlwave.errors import ArgumentError, ExtrapolationWarning, ProgramError, RangeError
+from ehlwave.errors import (
+    ArgumentError,
+    ExtrapolationWarning,
+    ProgramError,
+    RangeError,
+    ResultsError,
+)
 from ehlwave.identify.measurements import TEMPERATURE
 from ehlwave.inputs.key_classes import HEAT_DATA
 from ehlwave.inputs.key_table import KEYS
-from ehlwave.laws.slopes import COARSE, FINE, Answer, slopes_of
+from ehlwave.laws.slopes import Answer, slopes_of
 from ehlwave.operating_point import contact_of
+from ehlwave.operating_point.gradients import computed
 
 Keys = Mapping[str, Any]
 
@@ -23,8 +29,6 @@ VISCOSITY, DECAY = "viscosity_pa_s", "viscosity_temperature_per_k"
 WAVES = ("wavelength_over_a", "orientation")
 NOT_OF_LAWS = ("cells_x", "cells_y", "accuracy", "sensitivities", "tolerance", *WAVES)
 USABLE = ("converged", "unresolved", "inaccurate")
-CELLS, LINE_CELLS = 128, 512
-"""Cells of computed contacts whose input has none."""
 
 
 def at_temperature(keys: Keys, reference_k: float | None) -> dict[str, Any]:
@@ -63,21 +67,21 @@ def _law_answer(keys: Keys, result: str) -> tuple[float, str]:
     }[result]
     if not found:
         raise RangeError(f"no law has {result} of this contact")
-    return math.log(abs(found)), film.source.split(",")[0]
+    return math.log(abs(found)), film.source
 
 
-def by_program(keys: Keys, result: str) -> tuple[float, dict[str, float]]:
+def by_program(
+    keys: Keys, result: str, refusal: RangeError | None = None
+) -> tuple[float, dict[str, float]]:
     """Return the logarithm of a result of ``ehlwave-case``, and its derivatives by keys."""
-    is_line = "load_n_per_m" in keys or keys.get("radius_ratio_d") == 0
-    given = {"cells_x": LINE_CELLS} if is_line else {"cells_x": CELLS, "cells_y": CELLS}
-    given |= dict(keys) | {"sensitivities": True}
+    given = dict(keys)
     if "wavelength_over_a" in keys:
         given |= {"orientation": keys.get("orientation", "transverse"), "response": "harmonic"}
     flow = {"eyring_stress_pa": "eyring", "carreau_modulus_pa": "carreau"}
     for key, law in flow.items():
         if key in given:
             given.setdefault("flow_law", law)
-    found = Case(**given)._json()
+    found = computed(given, refusal)
     name, scale = (
         (result.removesuffix("_m") + "_um", 1e-6) if result.endswith("_m") else (result, 1)
     )
@@ -123,34 +127,38 @@ class Model:
     def __call__(self, values: NDArray[np.float64]) -> tuple[NDArray[np.float64], Any]:
         """Return ln(results) and their Jacobian at logarithms of the parameters."""
         chosen = dict(zip(self.parameters, np.exp(values), strict=True))
-        both = [self._row(k, chosen) for k in range(len(self.rows))]
+        both = []
+        for k, name in enumerate(self.results):
+            try:
+                both.append(self._row(k, chosen))
+            except ResultsError as problem:
+                raise ArgumentError(f"measured value {k + 1}, {name}: {problem}") from problem
         return np.array([one for one, _ in both]), np.array([slope for _, slope in both])
 
     def _row(self, k: int, chosen: dict[str, float]) -> tuple[float, list[float]]:
-        keys = {**self.rows[k], **chosen}
+        keys, refusal = {**self.rows[k], **chosen}, None
         if self.by != "computed":
             try:
                 return self._laws(keys, self.results[k])
-            except RangeError:
+            except RangeError as error:
                 if self.by == "laws":
                     raise
+                refusal = error
         self.sources.add("ehlwave-case")
         here = at_temperature(keys, self.reference_k)
-        value, slopes = by_program(here, self.results[k])
+        value, slopes = by_program(here, self.results[k], refusal)
         rise = keys.get(TEMPERATURE, 0.0) - (self.reference_k or keys.get(TEMPERATURE, 0.0))
         slopes[DECAY] = -slopes.get(VISCOSITY, 0.0) * rise * chosen.get(DECAY, 0.0)
         return value, [slopes.get(key, 0.0) for key in self.parameters]
 
     def _laws(self, keys: Keys, result: str) -> tuple[float, list[float]]:
-        step = COARSE if result == "harmonic_ratio" else FINE
-
         def slope(key: str) -> float:
             def at(change: float) -> Answer:
                 changed = {**keys, key: keys[key] * math.exp(change)} if change else keys
                 value, source = _law_answer(at_temperature(changed, self.reference_k), result)
                 return {result: value}, source
 
-            return slopes_of(at, step)[result]
+            return slopes_of(at)[result]
 
         middle = by_laws(at_temperature(keys, self.reference_k), result)
         self.sources.add("laws")

@@ -1,11 +1,18 @@
 """Groups of the keys of the programs by subject; the groups do not overlap.
 
-A test holds them to ``ehlwave-case --keys``.
+A key of a group that no law has, and one of how a contact is solved or what is written, is sorted
+by its group. A test holds all to ``ehlwave-case --keys``.
 """
+
+from ehlwave.inputs.key_table import GROUP_OF
 
 
 def _names(text: str) -> tuple[str, ...]:
     return tuple(text.split())
+
+
+def _in_groups(*groups: str) -> frozenset[str]:
+    return frozenset(key for key, group in GROUP_OF.items() if group in groups)
 
 
 OF_WAVES = frozenset(
@@ -47,29 +54,23 @@ OF_MARCHES = _names(
 )
 """Further keys of a response in time; the linear response does not depend on them."""
 
-OF_THE_SOLUTION = frozenset(
-    _names(
-        """
-    response x_min x_max y_max cells_x cells_y largest_cells domain tolerance step_tolerance
-    response_tolerance time_step_over_cell largest_steps settling_periods largest_total_steps
-    method cycle deformation scheme error_estimate accuracy threads
-    """
-    )
-)
+OF_THE_SOLUTION = _in_groups("grid", "solver") - {*OF_THE_EDGES} | {"response"}
 """Quality of a response, not its value."""
 
-WITHOUT_EFFECT = frozenset(
+WITHOUT_EFFECT = _in_groups("surface", "waviness2", "surface2", "output") | {"phase_deg"}
+"""On the linear response to waves of the first surface."""
+
+IN_LAWS = frozenset(
     _names(
         """
-    file orientation_2 wavelength_over_a_2 wavelength_x_over_a_2 wavelength_y_over_a_2 oblique_2
-    amplitude_over_film_2 amplitude_m_2 phase_deg file_2 fields fields_every sensitivities mean_rise
+    conditions lubricant waviness waviness2 surface surface2 inlet heat grid solver dynamics output
     """
     )
 )
-"""On the linear response to waves of the first surface."""
+"""Groups of input files that laws and tables understand; others are effects they do not have."""
 
-OF_TOUCHING = frozenset(_names("film_m law softness_m stress_pa solid_friction share"))
-"""Keys of surfaces that touch, which have no linear response."""
+OF_OTHER_EFFECTS = frozenset(GROUP_OF) - _in_groups(*IN_LAWS)
+"""Keys of effects that have neither laws nor a linear response, as surfaces that touch."""
 
 HEAT_DATA = _names(
     """

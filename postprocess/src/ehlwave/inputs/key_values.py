@@ -10,7 +10,13 @@ from ehlwave.inputs.namelist_values import plain
 
 FORMER_LIMIT = "limiting_stress_over_pressure"
 """A key of before version 2, in ``&lubricant``."""
-EMPTY_HEAT = "&heat needs oil_conductivity_w_per_m_k: give it, or remove the group"
+MANDATORY = {"heat": "oil_conductivity_w_per_m_k", "touching": "film_m"}
+"""Keys without which their groups are mistakes."""
+
+
+def missing(group: str) -> str:
+    """Return the message of a group without its mandatory key."""
+    return f"&{group} needs {MANDATORY[group]}: give it, or remove the group"
 
 
 def values_of(
@@ -42,8 +48,9 @@ def values_of(
         is_other = entry.key in other_keys and entry.key not in GROUP_OF
         if is_other or entry.group in other_groups:
             found[entry.group][entry.key] = file.value(entry, plain)
-    if found.get("heat", True) == {}:
-        raise SurfaceError(f"{file.path}:{file.groups['heat']}: {EMPTY_HEAT}")
+    for group in MANDATORY:
+        if found.get(group, True) == {}:
+            raise SurfaceError(f"{file.path}:{file.groups[group]}: {missing(group)}")
     _refuse_unknown(file, found, other_groups)
     return found
 

@@ -87,9 +87,12 @@ def rigid_film(conditions: Conditions) -> SmoothFilm:
     fluidity = np.exp(-log_viscosity(alpha, c.oil.roelands_index, alpha_p / alpha))
     means = (fluidity[1:] + fluidity[:-1]) / 2
     alpha_q = np.append(0.0, np.cumsum(np.diff(alpha_p) * means))
+    rises = np.append(True, np.diff(alpha_q) > 0)  # until the oil hardly flows
+    parts = alpha_q[rises], alpha_p[rises], 1 / fluidity[rises]
+    pressure = scipy.interpolate.CubicHermiteSpline(*parts)
 
     def load(film: float) -> float:
-        found = np.interp(c.l * q / (math.sqrt(2) * film**1.5), alpha_q, alpha_p)
+        found = pressure(np.minimum(c.l * q / (math.sqrt(2) * film**1.5), alpha_q[-1]))
         factor = math.sqrt(2 * film) if c.is_line else 2 * film / math.sqrt(c.d)
         return factor / c.l * float((found * weights).sum())
 

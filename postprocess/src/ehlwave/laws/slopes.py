@@ -4,10 +4,8 @@ from collections.abc import Callable, Mapping
 
 from ehlwave.errors import RangeError, SurfaceError
 
-FINE = 1e-5
-"""Step in a logarithm for films and frictions, which charts compute in double precision."""
-COARSE = 1e-3
-"""Step for responses, whose networks have single precision."""
+STEP = 1e-5
+"""Step in a logarithm: laws are computed in double precision, which leaves 1e-8."""
 
 Answer = tuple[Mapping[str, float], str]
 """Numbers, and their source."""
@@ -16,7 +14,7 @@ CENTRED = {1: 0.5, -1: -0.5}
 ONE_SIDED = ({0: -1.5, 1: 2.0, 2: -0.5}, {0: 1.5, -1: -2.0, -2: 0.5})
 
 
-def slopes_of(answer: Callable[[float], Answer], step: float) -> dict[str, float]:
+def slopes_of(answer: Callable[[float], Answer]) -> dict[str, float]:
     """Return the derivatives of numbers at 0 by differences of second order.
 
     Centred where the same source answers on both sides, else to the side where it does: where two
@@ -26,7 +24,6 @@ def slopes_of(answer: Callable[[float], Answer], step: float) -> dict[str, float
     ----------
     answer : callable
         Numbers and their source, by the change of a logarithm; raises RangeError outside.
-    step : float
 
     Raises
     ------
@@ -39,10 +36,10 @@ def slopes_of(answer: Callable[[float], Answer], step: float) -> dict[str, float
     def holds(place: int) -> bool:
         if place not in found:
             try:
-                numbers, other = answer(place * step)
+                numbers, other = answer(place * STEP)
             except (RangeError, SurfaceError):
                 return False
-            if other != source:
+            if law_of(other) != law_of(source):
                 return False
             found[place] = numbers
         return True
@@ -50,7 +47,12 @@ def slopes_of(answer: Callable[[float], Answer], step: float) -> dict[str, float
     for weights in (CENTRED, *ONE_SIDED):
         if all(map(holds, weights)):
             return {
-                name: sum(weight * found[place][name] for place, weight in weights.items()) / step
+                name: sum(weight * found[place][name] for place, weight in weights.items()) / STEP
                 for name in found[0]
             }
     raise RangeError(f"{source} has no neighbours on either side")
+
+
+def law_of(source: str) -> str:
+    """Return a source without numbers of the contact: the factor of a starved film follows."""
+    return source.split(",")[0]

@@ -15,20 +15,26 @@ from ehlwave.inputs.effective_input import keys_of_input
 from ehlwave.inputs.key_classes import (
     IN_COLUMNS,
     OF_MARCHES,
+    OF_OTHER_EFFECTS,
     OF_THE_EDGES,
     OF_THE_HEAT,
     OF_THE_INLET,
     OF_THE_OIL,
     OF_THE_SOLUTION,
-    OF_TOUCHING,
     WITHOUT_EFFECT,
 )
+from ehlwave.inputs.key_table import GROUP_OF
 
 CARRIED = (*OF_THE_OIL, *OF_THE_EDGES, *OF_THE_INLET, *OF_MARCHES)
 """Columns of a table, empty where a key does not apply."""
 
 CLASSIFIED = (
-    IN_COLUMNS | OF_THE_SOLUTION | WITHOUT_EFFECT | OF_THE_HEAT | OF_TOUCHING | frozenset(CARRIED)
+    IN_COLUMNS
+    | OF_THE_SOLUTION
+    | WITHOUT_EFFECT
+    | OF_THE_HEAT
+    | OF_OTHER_EFFECTS
+    | frozenset(CARRIED)
 )
 
 WORDS = ("edges", "load_balance", "viscosity_table", "oil_profile")
@@ -48,8 +54,8 @@ def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:
             "the cases have heat (&heat): a table is for contacts of any size and speed, "
             "and their responses are not"
         )
-    if any(key in OF_TOUCHING for one in inputs for key in one):
-        raise ResultsError("the cases have surfaces that touch (&touching): no table has them")
+    for key in sorted({key for one in inputs for key in one} & OF_OTHER_EFFECTS):
+        raise ResultsError(f"the cases have &{GROUP_OF[key]} {key}: no table has this effect")
     unknown = sorted({key for one in inputs for key in one} - CLASSIFIED)
     for key in unknown:
         values = sorted({str(one.get(key, "none")) for one in inputs})

@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import pandas as pd
 
+from ehlwave.choices import FILM_BY, chosen_or_none
 from ehlwave.contact.data_errors import OF_ERRORS
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
-from ehlwave.laws.slopes import COARSE, FINE, Answer, slopes_of
+from ehlwave.inputs.key_classes import HEAT_DATA
+from ehlwave.laws.slopes import Answer, law_of, slopes_of
 
 if TYPE_CHECKING:
     from ehlwave.laws.answers import Film
@@ -29,23 +31,31 @@ DEFAULTS = {"pressure_viscosity_per_pa": 2.2e-8, "roelands_index": 0.68}
 KEYS = (
     *("radius_x_m", "radius_y_m", "reduced_modulus_pa", "load_n", "load_n_per_m"),
     *("mean_speed_m_per_s", "viscosity_pa_s", "load_parameter_m", "lubricant_parameter_l"),
-    *("radius_ratio_d", "slip_parameter", "slide_to_roll_ratio", "pressure_viscosity_per_pa"),
-    *("roelands_index", "eyring_stress_pa", "oil_over_flooded"),
+    *("radius_ratio_d", "semi_axis_a_m", "slip_parameter", "slide_to_roll_ratio"),
+    *("pressure_viscosity_per_pa", "roelands_index", "eyring_stress_pa", "carreau_modulus_pa"),
+    *("carreau_exponent", "oil_over_flooded"),
 )
 CELLS, LINE_CELLS = 128, 512
+"""Cells of computed contacts whose input has none."""
+WARM = (
+    "derivatives with heat are known of its laws alone, not of computed contacts, whose "
+    "temperatures are marched: leave out heat, or keep to the range of the laws"
+)
 
 
 def sensitivities(contact: "SmoothContact", by: str | None = None) -> pd.DataFrame:
     """Return the result of :meth:`ehlwave.Contact.sensitivities`."""
-    keys = _keys(contact)
-    try:
-        if by == "computed":
-            raise RangeError("computed")
-        rows = {key: _slope(contact, key, value, _by_laws) for key, value in keys.items()}
-    except RangeError:
-        if by == "laws":
-            raise
-        rows = _by_program(contact, keys)
+    chosen_or_none(by, "by", FILM_BY)
+    keys, refusal = _keys(contact), None
+    if by != "computed":
+        try:
+            rows = {key: _slope(contact, key, value, _by_laws) for key, value in keys.items()}
+        except RangeError as error:
+            if by == "laws":
+                raise
+            refusal = error
+    if by == "computed" or refusal is not None:
+        rows = _by_program(contact, keys, refusal)
     return pd.DataFrame.from_dict(rows, orient="index", columns=list(RESULTS))
 
 
@@ -64,12 +74,14 @@ def error_budget(
         )
     powers = sensitivities(contact, by).reindex(list(errors))
     if surface is not None:
-        keys = _keys(contact)
+        keys, law = _keys(contact), None if by == "computed" else by
 
         def ratio(other: Any) -> Answer:  # noqa: ANN401 - a Contact
-            return {LAMBDA: other.lambda_ratio(surface, **options)}, "responses"
+            laws = other.film(law).source, other.transfer(law).name
+            found = other.lambda_ratio(surface, by=law, **options)
+            return {LAMBDA: found}, "; ".join(map(law_of, laws))
 
-        powers[LAMBDA] = [_slope(contact, key, keys[key], ratio, COARSE)[LAMBDA] for key in errors]
+        powers[LAMBDA] = [_slope(contact, key, keys[key], ratio)[LAMBDA] for key in errors]
     table = pd.DataFrame({"error": errors})
     for name in powers:
         if powers[name].notna().any():
@@ -106,7 +118,6 @@ def _slope(
     key: str,
     value: float,
     answer: Callable[["SmoothContact"], Answer],
-    step: float = FINE,
 ) -> dict[str, float]:
     """Return d ln(result)/d ln(key) of all results."""
 
@@ -118,7 +129,7 @@ def _slope(
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ExtrapolationWarning)
-        return slopes_of(at, step)
+        return slopes_of(at)
 
 
 def _by_laws(contact: "SmoothContact") -> Answer:
@@ -128,17 +139,16 @@ def _by_laws(contact: "SmoothContact") -> Answer:
     minimum = film.minimum_m if in_metres else film.minimum_moes
     found = {"central_film": central, "minimum_film": minimum, "friction": film.friction}
     numbers = {name: math.nan if value is None else value for name, value in found.items()}
-    return numbers, film.source.split(",")[0]  # the factor of a starved film follows
+    return numbers, film.source
 
 
-def _by_program(contact: "SmoothContact", keys: Mapping[str, float]) -> dict[str, dict[str, float]]:
-    from ehlwave.cases.case import Case
+def _by_program(
+    contact: "SmoothContact", keys: Mapping[str, float], refusal: RangeError | None
+) -> dict[str, dict[str, float]]:
     from ehlwave.programs.case_input import case_keys
 
-    c = contact._given
-    cells = {"cells_x": LINE_CELLS} if c.is_line else {"cells_x": CELLS, "cells_y": CELLS}
-    given = {key: value for key, value in case_keys(c, contact.heat).items() if value is not None}
-    found = Case(**{**cells, **given, "sensitivities": True})._json()
+    given = case_keys(contact._given, contact.heat).items()
+    found = computed({key: value for key, value in given if value is not None}, refusal)
     return {
         key: {
             name: _number(found.get(f"sensitivity_{own}_{key}"))
@@ -146,6 +156,21 @@ def _by_program(contact: "SmoothContact", keys: Mapping[str, float]) -> dict[str
         }
         for key in keys
     }
+
+
+def computed(keys: Mapping[str, Any], refusal: RangeError | None = None) -> dict[str, Any]:
+    """Return the results of ``ehlwave-case`` with their derivatives, for keys of input files.
+
+    Raises RangeError of contacts with heat, with the refusal of the laws, if they were asked.
+    """
+    from ehlwave.cases.case import Case
+
+    if any(key in keys for key in HEAT_DATA):
+        raise RangeError(WARM if refusal is None else f"{WARM}. The laws: {refusal}")
+    is_line = "load_n_per_m" in keys or keys.get("radius_ratio_d") == 0
+    cells = {"cells_x": LINE_CELLS} if is_line else {"cells_x": CELLS, "cells_y": CELLS}
+    found: dict[str, Any] = Case(**{**cells, **keys, "sensitivities": True})._json()
+    return found
 
 
 def _number(value: float | None) -> float:

@@ -18,7 +18,8 @@ slide_to_roll_ratio, wavelength_over_a, ...), temperature_c or temperature_k, an
 central_film_um, minimum_film_um (or _nm, _m), friction_coefficient, harmonic_ratio (Ad/Ai).
 Headings of rigs are read, too: Entrainment speed (mm/s), SRR (%), Load (N), Temperature (C),
 Film thickness (nm), Minimum film thickness (nm), Traction coefficient.
-A column such as central_film_error has relative standard errors.
+A column such as central_film_error has relative standard errors. An empty cell of a key takes the
+value of CASE.
 
 Parameters: alpha, viscosity, eyring_stress, carreau_modulus, roelands, modulus,
 viscosity_temperature, or any key with a number. With several temperatures the viscosity is that at

@@ -25,7 +25,7 @@ class Networks:
         self.kind = kind
         self.films = replace(committee_of(data, "films"), precision=np.float64)
         """Return the films that the kind names, by the coordinates of contacts."""
-        self.waves = committee_of(data, "waves")
+        self.waves = replace(committee_of(data, "waves"), precision=np.float64)
         """Numbers of waves, by their coordinates after the coordinates of their contacts."""
         self.film_errors = errors_of(data, "film_errors")
         """Errors of the data of contacts, by their coordinates."""
