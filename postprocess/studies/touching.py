@@ -97,9 +97,7 @@ def _ramp(x: Array, length: float) -> Array:
     return np.sin(math.pi / 2 * ends) ** 2
 
 
-def write_map(
-    path: Path, chance: random.Random, rq: float, width: float, *, is_line: bool
-) -> None:
+def write_map(path: Path, chance: random.Random, rq: float, width: float, *, is_line: bool) -> None:
     """Write random heights without waves shorter than half the contact's half width."""
     step = 0.04 * width
     x = step * np.arange(_POINTS)

@@ -16,7 +16,7 @@ HERTZ_PA = 0.6e9
 SPEED_M_PER_S = 0.1
 SLIP = 1.1
 RQ_M = 1.5e-7
-"""Of both surfaces together."""
+"""Roughness of both surfaces together."""
 END_TIME = 5.0
 """Both maps fill the contact until then."""
 _VALUES = (

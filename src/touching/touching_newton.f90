@@ -120,7 +120,8 @@ contains
       real(dp) :: tolerance                      ! relative
       logical :: is_near
 
-      is_near = allocated(self%past%f) .and. are_settled .and. report%worst() < near .and. self%gmres%reduction <= loosest
+      is_near = allocated(self%past%f) .and. are_settled
+      if (is_near) is_near = report%worst() < near .and. self%gmres%reduction <= loosest
       if (is_near) then
          tolerance = min(loose, max(tight, report%worst(), near*self%tolerance/report%worst()))
       else if (allocated(self%past%f)) then
