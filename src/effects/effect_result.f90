@@ -31,7 +31,6 @@ module ehlwave_effect_result
       procedure :: warning
       procedure :: film_error
       procedure :: steepening
-      procedure :: error_factor
       procedure :: edge_error
       procedure :: lacks_oil_outside
       procedure :: add_own_errors
@@ -99,12 +98,6 @@ contains
       real(dp), intent(in) :: film                   !! H(0,0)
       steepening = 0
    end function steepening
-
-   !> Factor of the film error that grids or models show.
-   real(dp) function error_factor(self) result(factor)
-      class(effect_result_t), intent(in) :: self
-      factor = 1
-   end function error_factor
 
    !> Relative error of the film by a domain that is too short for the effect.
    real(dp) function edge_error(self) result(error)

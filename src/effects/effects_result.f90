@@ -37,7 +37,6 @@ module ehlwave_effects_result
       procedure :: add_own_errors
       procedure :: take
       procedure :: warning
-      procedure :: error_factor
       procedure :: edge_error
       procedure :: lacks_oil_outside
       procedure :: add_errors
@@ -112,18 +111,6 @@ contains
          text = text//one%warning(case, plan, grid)
       end do
    end function warning
-
-   !> Factor of the film error that grids or models show.
-   real(dp) function error_factor(self)
-      class(effects_result_t), intent(in), target :: self
-      class(effect_result_t), pointer :: one
-      integer :: k
-      error_factor = 1
-      do k = 1, effect_count
-         one => self%effect(k)
-         error_factor = error_factor*one%error_factor()
-      end do
-   end function error_factor
 
    !> Relative error of the film by a domain that is too short for the effects.
    real(dp) function edge_error(self)

@@ -18,10 +18,6 @@ module ehlwave_error_account
    private
    public :: error_asked_for, errors_text, take_errors, validity_text
 
-   !> Share of the tolerance that bounds the error of a steady film; measured. Residuals of FAS lie at single nodes.
-   real(dp), parameter :: steady_share = 0.1_dp, multigrid_share = 0.01_dp
-   real(dp), parameter :: smallest_share = 2     !! share for the smallest film, FAS: up to 1.3 measured
-
 contains
 
    !> Combine the errors of film and Ad/Ai, and their sum for the main quantity.
@@ -33,9 +29,8 @@ contains
       result%film_errors = error_parts_t(mesh=result%central_film_error, &
                                          domain=merge(plan%film_domain_error, result%film_domain_error, &
                                                       case%edges == 'truncated'), &
-                                         algebraic=case%tolerance &
-                                         *merge(multigrid_share, steady_share, case%method == 'fas'))
-      if (case%method == 'fas') result%minimum_film_error = result%minimum_film_error + smallest_share*case%tolerance
+                                         algebraic=case%tolerance)
+      result%minimum_film_error = result%minimum_film_error + case%tolerance
       if (any(ieee_is_finite(result%ratios(2)))) then
          result%ratio_errors = errors_in_time(case, plan, result)
       else if (ieee_is_finite(result%harmonic%ratio)) then

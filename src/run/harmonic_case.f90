@@ -128,7 +128,7 @@ contains
       type(mesh_error_t) :: error
       real(dp) :: both, expected
 
-      expected = plan%expected_ratio_mesh_error(result%central_film)
+      expected = plan%expected_ratio_mesh_error(result%central_film) + sum(plan%expected%by_effect)
       associate (fit => harmonic%waves%centre%fit)
          both = abs(fit%attenuated) + abs(fit%complementary)
       end associate

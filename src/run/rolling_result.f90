@@ -2,7 +2,7 @@
 module ehlwave_rolling_result
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_error_factors, only: rolling
+   use ehlwave_error_factors, only: by_domain, rolling
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_mesh_errors, only: mesh_error, mesh_error_t
@@ -10,7 +10,7 @@ module ehlwave_rolling_result
    use ehlwave_state, only: state_t
    implicit none (type, external)
    private
-   public :: rolling_coefficient
+   public :: rolling_coefficient, times_outside
 
    !> NaN where it is not known: the coefficient without E' and pressure, the others without lengths.
    type, public :: rolling_result_t
@@ -31,7 +31,6 @@ module ehlwave_rolling_result
    end type rolling_result_t
 
    integer, parameter :: fewest_domains = 2        !! out to which oil counts, at least
-   real(dp), parameter :: far_share = 0.03_dp      !! error of the far field, over its contribution
 
 contains
 
@@ -88,12 +87,13 @@ contains
    end function rolling_coefficient
 
    !> Complete the error, so far the mesh error.
-   pure subroutine add_errors(self, edge_error, solver_error, lacks_oil)
+   pure subroutine add_errors(self, edge_error, solver_error, is_starved, lacks_oil)
       class(rolling_result_t), intent(inout) :: self
       real(dp), intent(in) :: edge_error   !! by the edges of the domain
       real(dp), intent(in) :: solver_error   !! by the solution of effects, as of temperatures
+      logical, intent(in) :: is_starved    !! whether the oil outside may be missing
       logical, intent(in) :: lacks_oil     !! whether a longer domain would be full from farther upstream
-      self%domain_error = edge_error + far_share*self%share_outside
+      self%domain_error = edge_error + merge(1.0_dp, by_domain(rolling), is_starved)*abs(self%share_outside)
       if (lacks_oil) self%domain_error = self%domain_error + self%share_missing
       self%error = self%error + self%domain_error + solver_error
    end subroutine add_errors

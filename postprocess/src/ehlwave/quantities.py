@@ -50,6 +50,8 @@ _PER_CENT = (1e-2,)
 _MILLI, _KILO = (1e-3,), (1e3, 1e-3)
 _RADIUS = Plausible(1e-6, 5, (1e-4, 1))
 _RADIUS_ACROSS = Plausible(1e-6, 1e4, (1e-4, 10))
+_DIAMETER = Plausible(1e-4, 10, (1e-3, 5))
+_LOAD = Plausible(1e-7, 1e8, (1, 1e6))
 _MODULUS = Plausible(1e6, 3e12, (1e9, 1.2e12))
 _KINEMATIC = Plausible(0.3, 1e5, (1, 5e3))
 _BODY_CONDUCTIVITY = Plausible(0.1, 3e3, (0.2, 500))
@@ -65,6 +67,15 @@ PLAUSIBLE = {
     "length_m": Plausible(1e-6, 10, (1e-4, 1)),
     "face_width_m": Plausible(1e-4, 5, (1e-3, 1)),
     "module_m": Plausible(1e-5, 0.1, (1e-4, 0.05)),
+    "centre_distance_m": Plausible(1e-4, 10, (1e-3, 2)),
+    "pinion_torque_n_m": Plausible(1e-5, 1e7, (1e-2, 1e6)),
+    "radial_load_n": _LOAD,
+    "axial_load_n": _LOAD,
+    **dict.fromkeys(("bore_m", "outside_m", "track_diameter_m", "diameters_m"), _DIAMETER),
+    **dict.fromkeys(("base_radius_m", "roller_radius_m"), _RADIUS),
+    "width_m": Plausible(1e-5, 2, (1e-3, 0.5)),
+    "lift_m": Plausible(0, 0.5, (1e-3, 0.1)),
+    "oil_layer_m": Plausible(1e-10, 1e-2, (1e-8, 1e-3)),
     "roller_diameter_m": _RADIUS,
     "roller_length_m": Plausible(1e-5, 2, (1e-4, 1)),
     "reduced_modulus_pa": _MODULUS,

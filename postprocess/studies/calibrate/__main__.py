@@ -43,14 +43,23 @@ def _judge(options: argparse.Namespace, known: dict[str, str]) -> int:
     rows: list[Row] = []
     for contact in contacts.values():
         rows += judged.errors_of(contact, table, known, options.folder)
-    _record(rows, "sample.csv.gz", options.folder)
+    return conclude(rows, table, options.folder)
+
+
+def conclude(rows: list[Row], table: dict[str, float], folder: Path) -> int:
+    """Write errors, factors and coverage; return 1 where a class is not covered."""
+    _record(rows, "sample.csv.gz", folder)
     rows = factors.read_errors(RECORD / "sample.csv.gz")
+    found = factors.factors(rows, table)
+    rows = factors.with_factors(rows, table, found)
+    _record(rows, "sample.csv.gz", folder)
     held_out = factors.coverage(rows, table)
-    _record(held_out, "coverage.csv", options.folder)
-    factors.write_table(factors.factors(rows, table), len({row["contact"] for row in rows}))
+    _record(held_out, "coverage.csv", folder)
+    factors.write_table(found, len({row["contact"] for row in rows}))
     for row in held_out:
         print(", ".join(f"{k} {v:.4g}" if isinstance(v, float) else str(v) for k, v in row.items()))
-    return int(any(row["covered"] < 0.975 for row in held_out if row["class"] == "all"))
+    judged_classes = [row for row in held_out if row["class"] not in factors.APART]
+    return int(any(row["probability"] < factors.CHANCE for row in judged_classes))
 
 
 def _record(rows: list[Row], name: str, folder: Path) -> None:

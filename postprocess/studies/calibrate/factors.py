@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import scipy
 
 from ehlwave.writing import Writer
 from studies.programs import ROOT
@@ -24,20 +25,29 @@ DOMAIN = "domain"
 QUANTITIES = (
     *("central_film", "smallest_film", "friction", "rolling", "response", "amplitude_ratio"),
 )
+APART = ("unresolved", "large")
+"""Classes of errors whose results carry a warning in any case."""
 FEWEST = 100
 """Contacts from which a kind has a factor of its own; the kinds together stand in for fewer."""
 ALIKE = {"amplitude_ratio": "response"}
 """Quantities whose factors bound those of one with few contacts."""
-FIXED = ("friction", "rolling")
-"""Quantities whose domain error is that of the film times a sensitivity, and the oil outside."""
+CONFIDENCE = 0.6
+"""Confidence that the share `BOUND` of all errors is below a factor."""
+TAIL, FEWEST_TAIL = 0.1, 3
+"""Share and least number of the largest ratios that continue a sample without so many contacts."""
+FARTHEST = 1.5
+"""Factor by which the tail goes beyond the largest ratio, at most."""
+CHANCE = 0.05
+"""Probability of fewer covered contacts, had their class `LEAST`, from which on it is covered."""
+LEAST = 0.975
 HALVES, SEED = 20, 7
 
 
 def factors(rows: Sequence[Row], present: dict[str, float]) -> dict[str, float]:
     """Return the factor of each quantity, kind and basis, by the names of `key`.
 
-    Rows have the error of a number over its rule, ``ratio``. A factor with few rows is the largest
-    of them and of the factor of all kinds; without any it keeps its present value.
+    Rows have the error of a number over its rule, ``ratio``. A factor with few rows is the larger
+    of their bound and of the factor of all kinds; without any it keeps its present value.
     """
     found = dict(present)
     judged = [row for row in rows if not _apart(row)]
@@ -56,14 +66,31 @@ def factors(rows: Sequence[Row], present: dict[str, float]) -> dict[str, float]:
             by_model = key(quantity, kind, "model")
             found[by_model] = max(found[by_model], found[key(quantity, kind, "coarse_grid")])
         edges = _bound(ratios(judged, quantity=quantity, basis=DOMAIN))
-        if quantity not in FIXED and np.isfinite(edges):
+        if np.isfinite(edges):
             found[key(quantity, DOMAIN, DOMAIN)] = edges
     return found
 
 
 def _bound(ratios: np.ndarray) -> float:
-    """Return the quantile of the bound; the largest of few, NaN of none."""
-    return float(np.quantile(ratios, BOUND, method="weibull")) if ratios.size else math.nan
+    """Return the upper confidence limit of the quantile `BOUND`: an order statistic; NaN of none.
+
+    A sample that is too small for one has it by an exponential tail of the logarithms.
+    """
+    count = ratios.size
+    if not count:
+        return math.nan
+    ordered = np.sort(ratios)
+    ranks = np.arange(1, count + 1)
+    enough = ranks[scipy.stats.binom.cdf(ranks - 1, count, BOUND) >= CONFIDENCE]
+    if enough.size:
+        return float(ordered[enough[0] - 1])
+    most = min(max(FEWEST_TAIL, int(TAIL * count)), count - 1)
+    threshold = ordered[-most - 1]
+    if count < FEWEST_TAIL / TAIL or threshold <= 0:
+        return float(ordered[-1])
+    slope = float(np.mean(np.log(ordered[-most:] / threshold)))
+    tail = threshold * (most / count / (1 - BOUND)) ** slope
+    return float(np.clip(tail, ordered[-1], FARTHEST * ordered[-1]))
 
 
 def kind_of(scheme: str, is_line: bool) -> str:
@@ -74,6 +101,17 @@ def kind_of(scheme: str, is_line: bool) -> str:
 def key(quantity: str, kind: str, basis: str) -> str:
     """Return the name of a factor."""
     return f"{quantity} {kind} {basis}"
+
+
+def with_factors(
+    rows: Sequence[Row], former: dict[str, float], found: dict[str, float]
+) -> list[Row]:
+    """Return the errors as they are declared with other factors."""
+    return [
+        row | {"declared": row["declared"] * found[name] / former[name]}
+        for row in rows
+        for name in [key(row["quantity"], row["kind"], row["basis"])]
+    ]
 
 
 def ratios(rows: Sequence[Row], **equal: Any) -> np.ndarray:  # noqa: ANN401
@@ -94,37 +132,46 @@ def coverage(rows: Sequence[Row], present: dict[str, float]) -> list[Row]:
                 continue
             times = row["ratio"] / fitted[key(row["quantity"], row["kind"], row["basis"])]
             for one in _classes(row):
-                held.setdefault((row["quantity"], row["kind"], one), []).append(times)
+                held.setdefault((row["quantity"], _part(row), one), []).append(times)
     return [_covered(rows, name, times) for name, times in sorted(held.items())]
+
+
+def _part(row: Row) -> str:
+    """Return the part of the error."""
+    return DOMAIN if row["basis"] == DOMAIN else "mesh"
 
 
 def _apart(row: Row) -> str:
     """Return the class of an error whose result carries a warning in any case; '' of others."""
+    unresolved, large = APART
     if row["resolved"] != ".true.":
-        return "unresolved"
-    return "large" if row["is_large"] == ".true." else ""
+        return unresolved
+    return large if row["is_large"] == ".true." else ""
 
 
 def _classes(row: Row) -> tuple[str, ...]:
-    """Return the classes of an error."""
+    """Return the classes of an error, its kind among them."""
     apart = _apart(row)
-    return (apart,) if apart else ("all", *row["classes"].split())
+    kind = (row["kind"],) if row["kind"] in KINDS else ()
+    return (apart,) if apart else ("all", *kind, *row["classes"].split())
 
 
 def _covered(rows: Sequence[Row], name: tuple[str, str, str], times: list[float]) -> Row:
-    quantity, kind, one = name
+    quantity, part, one = name
     same = [
         row
         for row in rows
-        if (row["quantity"], row["kind"]) == (quantity, kind) and one in _classes(row)
+        if (row["quantity"], _part(row)) == (quantity, part) and one in _classes(row)
     ]
     array = np.array(times)
+    covered = float(np.mean(array <= 1))
     return {
         "quantity": quantity,
-        "kind": kind,
+        "part": part,
         "class": one,
         "contacts": len(same),
-        "covered": float(np.mean(array <= 1)),
+        "covered": covered,
+        "probability": float(scipy.stats.binom.cdf(round(covered * len(same)), len(same), LEAST)),
         "beyond_1.5": float(np.mean(array > 1.5)),
         "largest": float(array.max()),
         "mean_bar": float(np.mean([row["declared"] for row in same])),
@@ -186,7 +233,7 @@ MEANINGS = {
     "by_grids": "With a coarser grid: (quantity, kind), kinds of `kind_of`.",
     "by_model": "By the model alone, likewise.",
     "by_domain": "By the edges of a flooded domain: (quantity), times the error of "
-    "`ehlwave_domain_choice`.",
+    "`ehlwave_domain_choice`;\n   !> friction and rolling: times the part by the oil outside.",
 }
 
 HEAD = """\

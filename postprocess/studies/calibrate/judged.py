@@ -13,7 +13,7 @@ from studies.calibrate.factors import DOMAIN, key, kind_of
 from studies.calibrate.sample import VALUES, solved
 
 DIGITS = 6
-TOLERANCE = 1e-5
+ROUNDING = 1e-5
 """Relative error of truths and of tolerances, which is no error by the mesh."""
 NOTHING = 1e-5
 """Friction that is not judged: what heat leaves of it in pure rolling."""
@@ -50,6 +50,8 @@ NUMBERS: dict[str, tuple[tuple[str, ...], str, str, str]] = {
 """Each quantity: its numbers, their declared error by the mesh, by the domain, and the basis."""
 WITH_DOMAIN = ("smallest_film", "friction", "rolling")
 """Quantities whose declared error includes the part by the domain."""
+BY_OIL_OUTSIDE = ("friction", "rolling")
+"""Quantities whose error by the domain is the film's and a share of the part by the oil outside."""
 
 
 def distilled(contact: Row) -> Row | None:
@@ -92,6 +94,7 @@ def errors_of(
 
 def _errors(contact: Row, found: Row, table: dict[str, float]) -> Iterator[Row]:
     kind = kind_of(found["scheme"], "line" in contact["classes"])
+    is_starved = "starved" in contact["classes"]
     for quantity, (names, _, domain, basis) in NUMBERS.items():
         if quantity == "response" and "harmonic_real" not in contact["truth"]:
             names = ("harmonic_ratio",)
@@ -108,6 +111,11 @@ def _errors(contact: Row, found: Row, table: dict[str, float]) -> Iterator[Row]:
             off = abs(value - _number(contact.get(truth, {}), names)) / abs(value)
             if not (math.isfinite(off) and part > 0 and math.isfinite(estimate)):
                 continue
+            is_share = name == DOMAIN and quantity in BY_OIL_OUTSIDE
+            by_film = _value(found, "film_error_domain") if is_share and not is_starved else 0.0
+            if not part > by_film:
+                continue
+            over = max(0.0, off - ROUNDING - by_film) / (part - by_film)
             yield {
                 "contact": contact["number"],
                 "classes": " ".join(contact["classes"]),
@@ -118,7 +126,7 @@ def _errors(contact: Row, found: Row, table: dict[str, float]) -> Iterator[Row]:
                 "resolved": found["is_resolved"],
                 "off": off,
                 "declared": part,
-                "ratio": max(0.0, off - TOLERANCE) * table[key(quantity, column, name)] / part,
+                "ratio": over * table[key(quantity, column, name)],
                 "before": contact["before"].get(quantity, math.nan) if name != DOMAIN else math.nan,
             }
 

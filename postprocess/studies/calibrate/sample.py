@@ -1,4 +1,4 @@
-"""Runs of a contact of the sample on six grids."""
+"""Runs of a contact of the sample on four grids."""
 
 import json
 import os
@@ -10,7 +10,7 @@ from studies import programs
 from studies.all_keys.draw import Row
 from studies.calibrate.contacts import classes_of, drawn, scaled, widened
 
-SECONDS = {"base": 2, "half": 1, "quarter": 1, "double": 4, "fourfold": 8, "wide": 4}
+SECONDS = {"base": 2, "double": 4, "fourfold": 8, "wide": 4}
 """Processor time of each run, at most: the sample depends on no other load of the machine."""
 VALUES = (
     *("central_film", "minimum_film", "friction_coefficient", "rolling_resistance"),
@@ -32,9 +32,9 @@ def computed(number: int, known: dict[str, str], folder: Path) -> Row:
     runs: dict[str, Row | None] = {"base": solved("base", row, known, folder)}
     base = runs["base"]
     if base is not None and base["central_film"] is not None:
-        for name, factor in (("half", 0.5), ("quarter", 0.25), ("double", 2), ("fourfold", 4)):
+        for name, factor in (("double", 2), ("fourfold", 4)):
             runs[name] = solved(name, scaled(row, factor), known, folder)
-            if runs[name] is None and name in ("half", "double"):
+            if runs[name] is None:
                 break
         if not {"march", "periodic"} & set(classes_of(row)):
             runs["wide"] = solved("wide", widened(row), known, folder)

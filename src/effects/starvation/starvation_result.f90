@@ -5,7 +5,7 @@ module ehlwave_starvation_result
    use ehlwave_case_definition, only: case_t
    use ehlwave_effect_result, only: effect_result_t
    use ehlwave_energy, only: energy_t
-   use ehlwave_error_factors, only: by_domain, central_film
+   use ehlwave_error_factors, only: by_domain, by_grids, central_film
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t
@@ -14,7 +14,7 @@ module ehlwave_starvation_result
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_march_settings, only: march_settings_t
    use ehlwave_oil_passage, only: follow_oil, oil_passage_t
-   use ehlwave_mesh_errors, only: richardson_error
+   use ehlwave_mesh_errors, only: kind_of, richardson_error
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_rescue, only: rescue_t
@@ -26,14 +26,8 @@ module ehlwave_starvation_result
    implicit none (type, external)
    private
 
-   !> Coarse grids are less reliable near the meniscus. Of 84 random contacts with too little oil four exceeded 1.16
-   !> times the estimate; three of them, with R = 0.16 to 0.27, were off by 1.2 to 1.6 times. A contact whose gap is
-   !> full from the inlet edge on, where the oil meets a wider gap, was off by 2.2 times.
-   real(dp), parameter :: starved_share = 0.5_dp   !! share of 1 - R
-   real(dp), parameter :: full_margin = 2
-   !> Least error of R over the film error, which counts up to `largest_film_error`: grids can agree by chance. Of 215
-   !> random R 72 exceeded the estimate from grids, by up to four times. With this share, the factors of the film, and
-   !> `full_margin` where the gap is full from the inlet edge on, one of 172 exceeded it, by 1.05 times.
+   !> Least error of R over the film error, which counts up to `largest_film_error`: grids can agree by chance, and
+   !> errors of film and flooded film mostly cancel in R.
    real(dp), parameter :: ratio_share = 0.1_dp, largest_film_error = 0.2_dp
 
    !> Values of flooded contacts are NaN.
@@ -52,7 +46,6 @@ module ehlwave_starvation_result
       procedure :: solve
       procedure :: take
       procedure :: warning
-      procedure :: error_factor
       procedure :: edge_error
       procedure :: lacks_oil_outside
       procedure :: add_own_errors
@@ -96,7 +89,8 @@ contains
          ratios = levels%central_film/flooded%film
          self%flooded_film = flooded%film(n)
          self%film_over_flooded = ratios(n)
-         self%film_over_flooded_error = richardson_error(cmplx(ratios(n:1:-1), kind=dp))
+         self%film_over_flooded_error = by_grids(central_film, kind_of(plan%is_fitted, plan%conditions%is_line()))* &
+                                        richardson_error(cmplx(ratios(n:1:-1), kind=dp))
          self%oil_over_flooded = level%given%supply(minloc(abs(grid%y), 1) - 1)/flooded%oil(n)
          self%solve_over_flooded = work/flooded%work - 1
          call follow_oil(level%problem, level%given, level%state, self%passage)
@@ -124,32 +118,19 @@ contains
          'gap: a longer domain (&grid x_min below '//to_text(grid%x(0), 4)//') has a thicker film'
    end function warning
 
-   real(dp) function error_factor(self) result(factor)
-      class(starvation_result_t), intent(in) :: self
-      factor = 1
-      if (.not. ieee_is_finite(self%film_over_flooded)) return
-      factor = 1 + starved_share*max(0.0_dp, 1 - self%film_over_flooded)
-      if (.not. ieee_is_finite(self%passage%meniscus_x)) factor = full_margin
-   end function error_factor
-
    real(dp) function edge_error(self) result(error)
       class(starvation_result_t), intent(in) :: self
       error = self%short_edge
    end function edge_error
 
-   !> Widen the error of R like the film error.
+   !> Least error of R: a share of the film error, since grids can agree by chance.
    subroutine add_own_errors(self, grid, result)
       class(starvation_result_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       class(bare_result_t), intent(inout) :: result
-      real(dp) :: factor
-
-      associate (error => self%film_over_flooded_error)
-         if (.not. ieee_is_finite(error)) return
-         factor = self%error_factor()
-         if (self%lacks_oil_outside(grid)) factor = full_margin
-         error = max(factor*error, ratio_share*min(largest_film_error, result%central_film_error))
-      end associate
+      if (ieee_is_finite(self%film_over_flooded_error)) &
+         self%film_over_flooded_error = max(self%film_over_flooded_error, &
+                                            ratio_share*min(largest_film_error, result%central_film_error))
    end subroutine add_own_errors
 
    !> For the film the part is the error of R, found from grids like the film error.

@@ -8,6 +8,9 @@ from ehlwave.contact.scales import moes_film
 OIL_ERRORS = ("viscosity_error", "pressure_viscosity_error")
 """Relative errors of the oil's viscosity and alpha; film and friction include them."""
 
+EYRING_ERROR = "eyring_stress_error"
+"""Relative error of the Eyring stress; friction includes it."""
+
 OF_ERRORS = {
     "viscosity_error": ("viscosity_pa_s",),
     "pressure_viscosity_error": ("pressure_viscosity_per_pa",),
@@ -17,7 +20,7 @@ OF_ERRORS = {
     "radius_y_error": ("radius_y_m",),
     "modulus_error": ("reduced_modulus_pa",),
     "roelands_error": ("roelands_index",),
-    "eyring_stress_error": ("eyring_stress_pa",),
+    EYRING_ERROR: ("eyring_stress_pa",),
 }
 """Keys that relative standard errors of a contact's data belong to: the one that is given."""
 

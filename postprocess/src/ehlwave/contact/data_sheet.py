@@ -7,6 +7,7 @@ import numpy as np
 
 from ehlwave.choices import chosen
 from ehlwave.contact.alpha_estimates import State
+from ehlwave.contact.data_errors import EYRING_ERROR, OIL_ERRORS
 from ehlwave.contact.measured_oils import DENSITY_15C, MEASURED, SOURCE, TEMPERATURES_K
 from ehlwave.contact.oil_heat import own_heat, usual_heat
 from ehlwave.contact.sheet_values import (
@@ -59,6 +60,8 @@ class Oil:
         beta = -d ln eta/dT at ambient pressure, 1/K.
     eyring_stress_pa : float, optional
         Of a Ree-Eyring oil, which contacts that slide need.
+    eyring_stress_error : float
+        Relative; friction includes its effect.
     conductivity_w_per_m_k, heat_capacity_j_per_kg_k : float, optional
         At this temperature, for films and friction with heat.
     conductivity_error : float
@@ -83,6 +86,7 @@ class Oil:
     density_kg_per_m3: float | None = None
     viscosity_temperature_per_k: float | None = None
     eyring_stress_pa: float | None = None
+    eyring_stress_error: float = 0.0
     conductivity_w_per_m_k: float | None = None
     heat_capacity_j_per_kg_k: float | None = None
     conductivity_error: float = 0.0
@@ -122,7 +126,7 @@ class Oil:
         """
         names = ["viscosity_pa_s", "pressure_viscosity_per_pa", "roelands_index"]
         names += ["eyring_stress_pa"] if self.eyring_stress_pa is not None else []
-        errors = ("viscosity_error", "pressure_viscosity_error")
+        errors = (*OIL_ERRORS, EYRING_ERROR)
         names += [name for name in errors if getattr(self, name) > 0]
         return {name: getattr(self, name) for name in names}
 
@@ -143,8 +147,9 @@ class Oil:
             ``"ester"``, ``"polyglycol"``. ``pressure_viscosity_per_pa`` at this temperature with
             ``pressure_viscosity_error``, or
             ``alpha``, an estimate: ``"gold"`` (default), ``"wooster"``, ``"so-klaus"``; its scatter
-            becomes the error. ``roelands_index``, ``eyring_stress_pa``. Conductivity and heat
-            capacity are usual ones of the kind (:mod:`ehlwave.contact.oil_heat`) unless
+            becomes the error. ``roelands_index``, ``eyring_stress_pa``,
+            ``eyring_stress_error``. Conductivity and heat capacity are usual ones of the
+            kind (:mod:`ehlwave.contact.oil_heat`) unless
             ``conductivity_w_per_m_k`` and ``heat_capacity_j_per_kg_k`` are given.
 
         Raises
@@ -207,8 +212,8 @@ class Oil:
         temperature_k : float
             Temperature, K.
         **others
-            ``roelands_index``, ``eyring_stress_pa``, ``conductivity_w_per_m_k``,
-            ``heat_capacity_j_per_kg_k``.
+            ``roelands_index``, ``eyring_stress_pa``, ``eyring_stress_error``,
+            ``conductivity_w_per_m_k``, ``heat_capacity_j_per_kg_k``.
 
         Examples
         --------

@@ -34,7 +34,7 @@ aromatic ones lie below. Polyglycols: 180 to 280 (Beatty and Greaves, Machinery 
 205 of the copolymer in the source of :mod:`ehlwave.contact.measured_oils`."""
 
 PASSED = (
-    *("roelands_index", "eyring_stress_pa"),
+    *("roelands_index", "eyring_stress_pa", "eyring_stress_error"),
     *("conductivity_w_per_m_k", "heat_capacity_j_per_kg_k"),
 )
 _SHEET = (

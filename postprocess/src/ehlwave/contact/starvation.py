@@ -20,15 +20,11 @@ Floats = NDArray[np.float64]
 
 FILM_COEFFICIENTS = (1.447, 0.1038, -0.0841, -0.245, -0.498)
 """ln g at r = 0 of M = 100, L = 10, D = 1, and the powers of M, L, D and 1 + r in g."""
-FILM_ERROR = 0.0064
-"""Root mean square of the law for R, held out by contacts."""
 FILM_RANGES = {"M": (20.0, 1000.0), "L": (2.0, 20.0), "D": (0.1, 1.0), "r": (0.2, 5.0)}
 
 WAVE_COEFFICIENTS = (0.7569, 0.6734, -0.8266, 0.9517, 0.2906)
 """Powers of R: in x, in x times cos^2(theta), in n; factor of x; power of 1/R in the common error.
 """
-WAVE_ERROR = 0.0265
-"""Root mean square of the law for Ad/Ai, held out by contacts."""
 WAVE_RANGES = {"M": (50.0, 800.0), "L": (4.0, 18.0), "D": (0.1, 1.0), "R": (0.39, 1.0)}
 
 FILM_BAR = 0.013 + 0.004

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ehlwave.elements.ball_bearing import BallBearing
-from ehlwave.elements.given import above
+from ehlwave.elements.given import RADIANS, above
 from ehlwave.errors import SurfaceError
 
 
@@ -61,7 +61,7 @@ class AngularContactBallBearing(BallBearing):
         name = type(self).__name__
         elastic = (material, elastic_modulus_pa, poisson_ratio)
         self._take(ball_diameter_m, pitch_diameter_m, balls, conformity, elastic)
-        self.free_angle_deg = above(contact_angle_deg, "contact_angle_deg", name, example="25")
+        self.free_angle_deg = above(contact_angle_deg, "contact_angle_deg", name, RADIANS, "25")
         if not self.free_angle_deg < 75:
             raise SurfaceError(
                 f"{name}: contact_angle_deg = {self.free_angle_deg:g} must be below 75"

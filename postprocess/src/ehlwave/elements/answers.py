@@ -14,7 +14,7 @@ import numpy as np
 from ehlwave.contact.heat_data import Heat
 from ehlwave.elements.given import above, check_names
 from ehlwave.elements.hertz import reduced_modulus
-from ehlwave.elements.place import ElementContact
+from ehlwave.elements.place import ASSUMED, STATIC_PA, ElementContact
 from ehlwave.elements.practice import iso_gear_film_m
 from ehlwave.elements.rolling_resistance import force_of
 from ehlwave.elements.starved import starved_row
@@ -165,6 +165,13 @@ def _film_without_heat(
 
 def _film(place: ElementContact, asked: Questions, row: Row, reasons: list[str]) -> Film | None:
     """Add films, friction and temperatures."""
+    if place.hertz_pressure_pa > STATIC_PA:
+        warnings.warn(
+            f"Hertz pressure of {place.hertz_pressure_pa * 1e-9:.3g} GPa: above 4 GPa hard steel "
+            "keeps dents (ISO 76), and films are those of elastic bodies",
+            ExtrapolationWarning,
+            stacklevel=2,
+        )
     try:
         film = place.contact.film(**asked.chosen)
     except REFUSALS as error:
@@ -181,8 +188,10 @@ def _film(place: ElementContact, asked: Questions, row: Row, reasons: list[str])
         row["rise_mid_film_k"] = film.heated.rise_mid_film_k
         row["rise_surfaces_k"] = film.heated.rise_surfaces_k
         row["thermal_film_factor"] = film.heated.film_factor
-    if not rolls and film.friction is None:
-        reasons.append("friction: not known for this oil: give it eyring_stress_pa")
+    if film.friction is None and not rolls:
+        reasons.append("friction: not known without heat and eyring_stress_pa of the oil")
+    if asked.heat and place.assumes_eyring:
+        warnings.warn(ASSUMED, ExtrapolationWarning, stacklevel=2)
     return film
 
 

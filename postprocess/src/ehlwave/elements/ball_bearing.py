@@ -8,7 +8,7 @@ from typing import Any
 from ehlwave.choices import chosen
 from ehlwave.contact.bodies import Body
 from ehlwave.elements.bearing import RollingBearing
-from ehlwave.elements.given import above, at_least, count, pair
+from ehlwave.elements.given import above, at_least, elements_of, pair
 from ehlwave.elements.hertz import hertz_point, reduced_modulus, reduced_radius
 from ehlwave.elements.load_zone import (
     BALL_HALF_LOADED,
@@ -35,11 +35,8 @@ class BallBearing(RollingBearing):
     def _take(self, diameter: Any, pitch: Any, balls: Any, conformity: Any, material: Any) -> None:  # noqa: ANN401
         """Check and keep the arguments of all ball bearings."""
         name = type(self).__name__
-        self.element_diameter_m = above(diameter, "ball_diameter_m", name, example="0.012")
-        self.pitch_diameter_m = above(
-            pitch, "pitch_diameter_m", name, self.element_diameter_m, example="0.06"
-        )
-        self.elements = count(balls, "balls", name, 3)
+        found = elements_of("ball", diameter, pitch, balls, name)
+        self.element_diameter_m, self.pitch_diameter_m, self.elements = found
         self.conformity = pair(conformity, "conformity", name)
         for value in self.conformity:
             if not 0.5 < value < 1:
@@ -47,12 +44,6 @@ class BallBearing(RollingBearing):
                     f"{name}: conformity = {value:g} must be above 0.5 and below 1: groove radius "
                     "over ball diameter, such as (0.52, 0.53)"
                 )
-        if self.elements * self.element_diameter_m > math.pi * self.pitch_diameter_m:
-            raise SurfaceError(
-                f"{name}: balls = {self.elements} of ball_diameter_m = "
-                f"{self.element_diameter_m:g} do not fit on pitch_diameter_m = "
-                f"{self.pitch_diameter_m:g}: give fewer"
-            )
         self.elastic = elastic_of(*material)
 
     def bodies(self, ring: str, contact_angle_deg: float = 0.0) -> tuple[Body, Body]:

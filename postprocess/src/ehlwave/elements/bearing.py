@@ -217,26 +217,26 @@ class RollingBearing(BearingMotion):
         """
         takes = loads_of(self.load_zone)
         loads = {name: asked.pop(name) for name in takes if name in asked}
-        questions = Questions.of(asked, type(self).__name__, [*takes, "rings"])
-        speeds = self._speeds_rpm(inner_speed_rpm, outer_speed_rpm)
+        name, speeds = type(self).__name__, self._speeds_rpm(inner_speed_rpm, outer_speed_rpm)
+        questions = Questions.of(asked, name, [*takes, "rings"])
         if speeds[0] == speeds[1]:
             raise SurfaceError(
-                f"{type(self).__name__}: both rings turn at {speeds[0]:g} rpm, so that no "
-                "contact rolls: change inner_speed_rpm or outer_speed_rpm"
+                f"{name}: both rings turn at {speeds[0]:g} rpm, so that no contact rolls: change "
+                "inner_speed_rpm or outer_speed_rpm"
             )
+        if not rings or isinstance(rings, str):
+            raise SurfaceError(f"rings = {rings!r}: give a list of 'inner', 'outer', or both")
         zone = self._zone(loads, speeds if has_centrifugal_load else (0.0, 0.0))
-        angles = zone.angles_deg(count(points, "points", type(self).__name__, 1))
+        angles = zone.angles_deg(count(points, "points", name, 1))
         tables = []
         for ring in rings:
-            loaded = (angles, *zone.loads_at(angles, ring))
-            places = [
-                self._place(ring, *one, speeds, oil, questions.options)
-                for one in zip(*(values.tolist() for values in loaded), strict=True)
-            ]
+            loaded = (values.tolist() for values in (angles, *zone.loads_at(angles, ring)))
+            given = zip(*loaded, strict=True)
+            places = [self._place(ring, *one, speeds, oil, questions.options) for one in given]
             tables.append(table_of(places, questions, "angle_deg", {"angle_deg": angles.tolist()}))
         found = xr.concat(tables, dim="ring").assign_coords(ring=list(rings))
         found["angle_deg"].attrs |= {"units": "degree", "long_name": "angle from the load"}
-        if self.variants and "central_film_m" in found:
+        if self.variants:
             widen(found, self._inside_error(loads, speeds, oil))
         found.attrs |= self._attributes(zone, found, loads, speeds, oil, has_centrifugal_load)
         return found

@@ -103,6 +103,12 @@ def ball_inside(bore_m: float, outside_m: float, width_m: float, place: str) -> 
     outside = above(outside_m, "outside_m", place, bore, example="0.08")
     width = above(width_m, "width_m", place, example="0.018")
     ball = BALL_SHARE * (outside - bore)
+    if width > outside - bore:
+        raise SurfaceError(
+            f"{place}: width_m = {width:g} is above outside_m - bore_m = {outside - bore:g}, which "
+            "no single-row ball bearing has: give the width of one row in m, such as "
+            f"{0.45 * (outside - bore):.2g}"
+        )
     if ball > width:
         raise SurfaceError(
             f"{place}: width_m = {width:g} is too small for balls of {ball:.3g} m, which "

@@ -18,7 +18,7 @@ from ehlwave.elements.given import above, at_least, count
 from ehlwave.elements.material import both_elastic
 from ehlwave.elements.place import ElementContact
 from ehlwave.elements.rolling_resistance import LINE_ERROR
-from ehlwave.elements.table import table_of, unanswered, worst_places
+from ehlwave.elements.table import sliding_error, table_of, unanswered, worst_places
 from ehlwave.errors import SurfaceError
 
 Floats = NDArray[np.float64]
@@ -231,6 +231,7 @@ class CamFollower(CamMotion):
             "reversals_deg": ", ".join(f"{one:.2f}" for one in reversals) or "none",
             "opposite_speeds_deg": ", ".join(f"{one:g}" for one in opposite) or "none",
             "sliding_power_w": _mean(found, "sliding_power_w"),
+            "sliding_power_error": sliding_error(found),
             "rolling_power_w": _mean(found, "rolling_power_w"),
             "rolling_power_error": LINE_ERROR,
             "unanswered_places": unanswered(found),

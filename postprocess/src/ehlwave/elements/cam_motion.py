@@ -10,6 +10,7 @@ import scipy
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.errors import SurfaceError
+from ehlwave.quantities import number
 
 Floats = NDArray[np.float64]
 
@@ -35,13 +36,17 @@ def periodic(angle_deg: ArrayLike, lift_m: ArrayLike, name: str) -> Any:  # noqa
     SurfaceError
         If angles do not rise over one turn.
     """
-    angle, lift = (np.array(one, dtype=np.float64) for one in (angle_deg, lift_m))
+    try:
+        angle, lift = (np.array(one, dtype=np.float64) for one in (angle_deg, lift_m))
+    except (TypeError, ValueError):
+        raise SurfaceError(f"{name}: angle_deg and lift_m must be lists of numbers") from None
     if angle.shape != lift.shape or angle.ndim != 1 or angle.size < 8:
         raise SurfaceError(
             f"{name}: angle_deg and lift_m must be two lists of the same length, 8 or more"
         )
     if not (np.isfinite(angle).all() and np.isfinite(lift).all()):
         raise SurfaceError(f"{name}: angle_deg and lift_m must be finite numbers")
+    number(float(np.ptp(lift)), "lift_m", name)
     if not (np.all(np.diff(angle) > 0) and angle[-1] - angle[0] <= 360 * (1 + 1e-12)):
         raise SurfaceError(f"{name}: angle_deg must rise over at most one turn, 360 degrees")
     if angle[-1] - angle[0] < 360 * (1 - 1e-9):

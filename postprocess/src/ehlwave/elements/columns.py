@@ -62,5 +62,5 @@ COLUMNS = {
 TEXTS = {
     "source": "origin of the film",
     "refusal": "reason why a number is missing",
-    "doubts": "why numbers of the roughness are extrapolated",
+    "doubts": "why numbers are doubtful",
 }

@@ -138,9 +138,14 @@ FORMULAS = {
     "sliding_power_w": _number(
         "sliding power", "mu W |u1 - u2| of a contact; gears and cams: mean", "W"
     ),
+    "sliding_power_error": _error(
+        "error of the sliding power", "errors of friction, mean by the power of each place"
+    ),
     "iso_film_m": _film(
         "film of ISO/TR 15144-1",
-        "1600 rho G^0.6 U^0.7 W^-0.13 S^0.22, as restated by Jbily and others (2024)",
+        "1600 Rx G^0.6 U^0.7 W^-0.13 S^0.22 in um, G = alpha E', U = eta (u1 + u2)/(2000 E' Rx), "
+        "W = 2 pi (p_h/E')^2 in MPa, mm, Pa s; S: alpha eta of warm over cold surfaces; as "
+        "restated by Jbily and others (2024)",
     ),
     "iso_specific_film": _number("specific film of ISO/TR 15144-1", "film over (Ra1 + Ra2)/2"),
     "film_starved_low_m": _film(
@@ -170,6 +175,12 @@ FORMULAS = {
     "pinion_torque_n_m": _number("torque of the pinion, T", "as given", "N m"),
     "load_factor": _number("load factor", "as given; 1: nominal load"),
     "oil": _number("oil", "as given"),
+    "assumed_eyring_stress_pa": Entry(
+        "Eyring stress, assumed", "MPa", 1e-6, "the oil has no flow law: usual of mineral oils, PAO"
+    ),
+    "assumed_eyring_stress_pa_error": _error(
+        "error of the assumed Eyring stress", "usual values are 3 to 6 MPa; friction includes it"
+    ),
     "ring_displacement_m": _film("displacement of the ring", "equilibrium of ISO 16281"),
     "load_zone_half_width_deg": _number(
         "half width of the load zone", "angles with load, equilibrium of ISO 16281", "degrees"
@@ -198,9 +209,18 @@ FORMULAS = {
     "named_points_mm": _number(
         "points A to E of the path, s",
         "s_A = N - (r_a2^2 - r_b2^2)^0.5, s_E = (r_a1^2 - r_b1^2)^0.5, s_C = r_b1 tan(alpha_wt), "
-        "s_B = s_E - p_bt, s_D = s_A + p_bt",
+        "s_B = s_E - p_bt, s_D = s_A + p_bt; undercut flanks: from the involute that is left",
         "mm",
     ),
+    "peak_hertz_pressure_pa": _pressure(
+        "largest Hertz pressure of the path", "at A, B, C, D or E; the load jumps at B and D"
+    ),
+    "peak_hertz_distance_m": _length("place of the largest Hertz pressure", "s of this point"),
+    "backlash_m": _length(
+        "backlash on the working circles",
+        "2 a (inv(alpha_wt) - inv(alpha_wt without backlash)), transverse",
+    ),
+    "geometry_note": _number("teeth", "start of the involute and backlash"),
     "efficiency": _number("efficiency", "1 - (sliding + rolling power)/(torque x speed)"),
     "reversals_deg": _number("entrainment reverses at", "zeros of u", "degrees"),
     "opposite_speeds_deg": _number("surfaces in opposite directions at", "u1 u2 < 0", "degrees"),

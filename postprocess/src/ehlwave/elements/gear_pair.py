@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Mapping
 from typing import Any
 
@@ -14,16 +15,20 @@ from numpy.typing import NDArray
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.elements.answers import Questions
-from ehlwave.elements.given import above, at_least, count, pair
+from ehlwave.elements.given import RADIANS, above, at_least, count, pair
 from ehlwave.elements.involute import InvolutePair
 from ehlwave.elements.material import both_elastic
 from ehlwave.elements.place import ElementContact
 from ehlwave.elements.rolling_resistance import LINE_ERROR
-from ehlwave.elements.table import table_of, unanswered, worst_places
-from ehlwave.errors import SurfaceError
+from ehlwave.elements.table import sliding_error, table_of, unanswered, worst_places
+from ehlwave.errors import ExtrapolationWarning, SurfaceError
 
 FINE = 2001
 """Points of the integral of the power over the path, on which load and sliding are exact."""
+
+
+NO_OIL = Oil(viscosity_pa_s=0.01, pressure_viscosity_per_pa=2e-8)
+"""An oil where only pressures are asked for."""
 
 
 class GearPair:
@@ -44,9 +49,13 @@ class GearPair:
             raise SurfaceError(f"{name}: teeth = {given['teeth']}: internal gears are not covered")
         distance = given["centre_distance_m"]
         helix = at_least(helix_angle_deg, "helix_angle_deg", name)
+        if 0 < helix < RADIANS:
+            raise SurfaceError(
+                f"{name}: helix_angle_deg = {helix:g}: give degrees, such as 20, or 0"
+            )
         if not helix < 45:
             raise SurfaceError(f"{name}: helix_angle_deg = {helix:g} must be below 45")
-        angle = above(given["pressure_angle_deg"], "pressure_angle_deg", name, example="20")
+        angle = above(given["pressure_angle_deg"], "pressure_angle_deg", name, RADIANS, "20")
         if not angle < 45:
             raise SurfaceError(f"{name}: pressure_angle_deg = {angle:g} must be below 45")
         self.geometry = InvolutePair(
@@ -224,6 +233,8 @@ class GearPair:
     ) -> dict[str, Any]:
         sliding, rolling = self._powers_w(found, torque, speed, factor)
         through = torque * 2 * math.pi / 60 * speed
+        if notes := self.geometry.notes:
+            warnings.warn(f"{type(self).__name__}: {notes}", ExtrapolationWarning, stacklevel=3)
         points = ", ".join(f"{k} {s * 1e3:.4g}" for k, s in self.geometry.named_points_m.items())
         return {
             "element": type(self).__name__,
@@ -234,7 +245,11 @@ class GearPair:
             "overlap_ratio": self.overlap_ratio,
             "working_pressure_angle_deg": math.degrees(self.geometry.working_angle_rad),
             "named_points_mm": points,
+            "backlash_m": self.geometry.backlash_m,
+            **self._peak(torque, speed, factor),
+            **({"geometry_note": notes} if notes else {}),
             "sliding_power_w": sliding,
+            "sliding_power_error": sliding_error(found),
             "rolling_power_w": rolling,
             "rolling_power_error": LINE_ERROR,
             "efficiency": 1 - (sliding + rolling) / through,
@@ -243,6 +258,17 @@ class GearPair:
             "unanswered_places": unanswered(found),
             "worst": "; ".join(worst_places(found).values()),
         }
+
+    def _peak(self, torque: float, speed: float, factor: float) -> dict[str, float]:
+        """Return the largest Hertz pressure, at a point A to E, and its place.
+
+        Loads jump at B and D, which evenly spread places miss.
+        """
+        found: dict[float, float] = {}
+        for s in self.geometry.named_points_m.values():
+            given = {"pinion_torque_n_m": torque, "pinion_speed_rpm": speed, "load_factor": factor}
+            found[self.contact_at(s, oil=NO_OIL, **given).hertz_pressure_pa] = s
+        return {"peak_hertz_pressure_pa": max(found), "peak_hertz_distance_m": found[max(found)]}
 
     def _powers_w(
         self, found: xr.Dataset, torque: float, speed: float, factor: float

@@ -1,11 +1,15 @@
 """Checks of the input for an element: numbers in SI, above a bound, of a pair."""
 
 import inspect
+import math
 from collections.abc import Callable, Collection, Iterable
 from typing import Any
 
 from ehlwave.errors import SurfaceError, did_you_mean
 from ehlwave.quantities import number, plain
+
+RADIANS = 0.8
+"""Angles of elements in degrees lie above; 45 degrees are 0.79 in radians."""
 
 
 def check_names(given: Iterable[str], known: Collection[str], place: str) -> None:
@@ -81,6 +85,34 @@ def count(value: Any, name: str, place: str, least: int = 1) -> int:  # noqa: AN
     if found != int(found) or found < least:
         raise SurfaceError(f"{place}: {name} = {value} must be a whole number of at least {least}")
     return int(found)
+
+
+def elements_of(
+    kind: str,
+    diameter: Any,  # noqa: ANN401
+    pitch: Any,  # noqa: ANN401
+    number_of: Any,  # noqa: ANN401
+    place: str,
+) -> tuple[float, float, int]:
+    """Return diameter, pitch diameter and number of balls or rollers, which fit on their circle.
+
+    Parameters
+    ----------
+    kind : {"ball", "roller"}
+        Of the elements.
+    diameter, pitch, number_of, place
+        As given, and the name of the bearing, for messages.
+    """
+    d = above(diameter, f"{kind}_diameter_m", place, example="0.012")
+    circle = above(pitch, "pitch_diameter_m", place, d, example="0.06")
+    elements = count(number_of, f"{kind}s", place, 3)
+    most = math.pi / math.asin(d / circle)  # touching elements are chords of their circle
+    if elements > most * (1 + 1e-12):
+        raise SurfaceError(
+            f"{place}: {kind}s = {elements} of {kind}_diameter_m = {d:g} do not fit on "
+            f"pitch_diameter_m = {circle:g}: give fewer"
+        )
+    return d, circle, elements
 
 
 def pair(value: Any, name: str, place: str) -> tuple[float, float]:  # noqa: ANN401

@@ -3,8 +3,8 @@
 Niemann and Winter, *Maschinenelemente II* (2003), chapter 21; ISO 21771:2007. At the distance s
 from the base tangent point of the pinion, along the line of action of length N = a sin(alpha_wt):
 transverse radii s and N - s, normal reduced radius s (N - s)/(N cos(beta_b)), speeds omega_1 s and
-omega_2 (N - s). Tips are shortened so that the root clearance is kept:
-d_a = m (z + 2 + 2 x - 2 (x_1 + x_2 - y)), y = (a - a_0)/m.
+omega_2 (N - s). The path leads from A to E, between the tips of wheel and pinion. Where the rack
+undercuts a flank, it ends at the involute that is left (:mod:`ehlwave.elements.rack`).
 
 Load sharing as ISO/TR 15144-1 has it for unmodified flanks (from memory, as in
 :mod:`ehlwave.elements.practice`): 1/3 at A rises to 2/3 at B, 1 from B to D, 2/3 at D falls to 1/3
@@ -15,118 +15,31 @@ at E. Helical pairs with an overlap ratio of 1 or more bear the mean load of the
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike, NDArray
 
+from ehlwave.elements.teeth import InvoluteTeeth
 from ehlwave.errors import SurfaceError
+
+ROUND_OFF = 1e-9
+"""Length over the module below which a path is not shorter."""
+LARGEST_BACKLASH = 0.2
+"""Backlash over the module above which profile shifts were probably left out; cut gears have about
+0.05 (AGMA 2002, from memory)."""
 
 Floats = NDArray[np.float64]
 
 
-def involute(angle_rad: float) -> float:
-    """Return tan(angle) - angle."""
-    return math.tan(angle_rad) - angle_rad
+class InvolutePair(InvoluteTeeth):
+    """A pair of external involute gears along its line of action.
 
-
-@dataclass(frozen=True)
-class InvolutePair:
-    """A pair of external involute gears.
-
-    Attributes
+    Parameters
     ----------
-    module_m : float
-        Normal module.
-    teeth : pair of int
-        Of pinion and wheel.
-    pressure_angle_deg, helix_angle_deg : float
-        Normal pressure angle and helix angle at the reference circle.
-    profile_shift : pair of float
-        Profile shift coefficients x.
-    centre_distance_m : float or None
-        None: without backlash by the profile shifts.
-    addendum : float
-        Of the basic rack, over the module.
+    module_m, teeth, pressure_angle_deg, helix_angle_deg, profile_shift, centre_distance_m, addendum
+        As of :class:`ehlwave.elements.teeth.InvoluteTeeth`.
     """
-
-    module_m: float
-    teeth: tuple[int, int]
-    pressure_angle_deg: float = 20.0
-    helix_angle_deg: float = 0.0
-    profile_shift: tuple[float, float] = (0.0, 0.0)
-    centre_distance_m: float | None = None
-    addendum: float = 1.0
-
-    @property
-    def transverse_module_m(self) -> float:
-        """Return m/cos(beta)."""
-        return self.module_m / math.cos(math.radians(self.helix_angle_deg))
-
-    @property
-    def transverse_angle_rad(self) -> float:
-        """Return alpha_t of the reference circle."""
-        beta = math.radians(self.helix_angle_deg)
-        return math.atan(math.tan(math.radians(self.pressure_angle_deg)) / math.cos(beta))
-
-    @property
-    def base_helix_rad(self) -> float:
-        """Return beta_b: tan(beta) cos(alpha_t)."""
-        beta = math.radians(self.helix_angle_deg)
-        return math.atan(math.tan(beta) * math.cos(self.transverse_angle_rad))
-
-    @property
-    def base_radii_m(self) -> tuple[float, float]:
-        """Return the radii of both base circles."""
-        half = self.transverse_module_m * math.cos(self.transverse_angle_rad) / 2
-        return half * self.teeth[0], half * self.teeth[1]
-
-    @cached_property
-    def working_angle_rad(self) -> float:
-        """Return alpha_wt, by the centre distance or by the profile shifts.
-
-        Raises
-        ------
-        SurfaceError
-            If the centre distance is too small for the base circles.
-        """
-        if self.centre_distance_m is not None:
-            cosine = sum(self.base_radii_m) / self.centre_distance_m
-            if not cosine < 1:
-                raise SurfaceError(
-                    f"centre_distance_m = {self.centre_distance_m:g} must be above "
-                    f"{sum(self.base_radii_m):.5g}, the sum of both base radii"
-                )
-            return math.acos(cosine)
-        alpha = self.transverse_angle_rad
-        normal = math.tan(math.radians(self.pressure_angle_deg))
-        wanted = involute(alpha) + 2 * normal * sum(self.profile_shift) / sum(self.teeth)
-        if wanted <= 0:
-            raise SurfaceError(
-                f"profile_shift = {self.profile_shift}: the flanks do not meet: raise the sum"
-            )
-        return float(
-            scipy.optimize.brentq(lambda x: involute(x) - wanted, 1e-6, 1.4, xtol=1e-16, rtol=1e-15)
-        )
-
-    @property
-    def working_distance_m(self) -> float:
-        """Return the centre distance."""
-        return sum(self.base_radii_m) / math.cos(self.working_angle_rad)
-
-    @property
-    def tip_radii_m(self) -> tuple[float, float]:
-        """Return the radii of both tip circles."""
-        reference = self.transverse_module_m * sum(self.teeth) / 2
-        shift = (self.working_distance_m - reference) / self.module_m
-        shortened = max(sum(self.profile_shift) - shift, 0.0)
-        first, second = (
-            self.transverse_module_m * z / 2 + self.module_m * (self.addendum + x - shortened)
-            for z, x in zip(self.teeth, self.profile_shift, strict=True)
-        )
-        return first, second
 
     @property
     def action_m(self) -> float:
@@ -137,26 +50,20 @@ class InvolutePair:
     def path_m(self) -> tuple[float, float]:
         """Return s of A, where the pinion's root meets the wheel's tip, and of E.
 
+        The path ends at the tips, or where the involute of the other gear starts.
+
         Raises
         ------
         SurfaceError
-            If the teeth do not pass the load on, are pointed, or a tip meets no involute.
+            If the teeth do not pass the load on, or are pointed.
         """
-        ends = [
-            math.sqrt(max(tip**2 - base**2, 0.0))
-            for tip, base in zip(self.tip_radii_m, self.base_radii_m, strict=True)
-        ]
-        first, last = self.action_m - ends[1], ends[0]
-        if last - first < self.base_pitch_m:
+        (first, last), (start, end) = self.tips_m, self.involutes_m
+        first, last = max(first, start), min(last, end)
+        ratio = (last - first) / self.base_pitch_m
+        if ratio < 1:
             raise SurfaceError(
-                f"contact ratio {(last - first) / self.base_pitch_m:.2f} is below 1: lower "
-                "centre_distance_m or the profile shifts"
-            )
-        if not 0 < first < last < self.action_m:
-            raise SurfaceError(
-                f"teeth = {self.teeth}, profile_shift = {self.profile_shift}: the path of contact "
-                "ends beyond the base circles: raise the profile shift of the gear with fewer "
-                "teeth, or its number of teeth"
+                f"contact ratio {ratio:.2f} is below 1: "
+                + (self.shortening or "lower centre_distance_m or the profile shifts")
             )
         for z, tip in zip(self.teeth, self.thicknesses_m(self.tip_radii_m), strict=True):
             if tip <= 0:
@@ -166,25 +73,51 @@ class InvolutePair:
                 )
         return first, last
 
-    def thicknesses_m(self, radii_m: tuple[float, float]) -> tuple[float, float]:
-        """Return the transverse thickness of a tooth of each gear at a radius.
-
-        2 r (pi/(2 z) + 2 x tan(alpha_n)/z + inv(alpha_t) - inv(alpha)), cos(alpha) = r_b/r.
-
-        Parameters
-        ----------
-        radii_m : pair of float
-            r of both gears.
-        """
-        normal = math.tan(math.radians(self.pressure_angle_deg))
-        start = involute(self.transverse_angle_rad)
+    @property
+    def tips_m(self) -> tuple[float, float]:
+        """Return s at the tip of the wheel and at the tip of the pinion."""
         first, second = (
-            2 * r * ((math.pi / 2 + 2 * x * normal) / z + start - involute(math.acos(base / r)))
-            for z, x, r, base in zip(
-                self.teeth, self.profile_shift, radii_m, self.base_radii_m, strict=True
-            )
+            math.sqrt(max(tip**2 - base**2, 0.0))
+            for tip, base in zip(self.tip_radii_m, self.base_radii_m, strict=True)
         )
-        return first, second
+        return self.action_m - second, first
+
+    @property
+    def involutes_m(self) -> tuple[float, float]:
+        """Return s at which the involutes of pinion and wheel start (:mod:`.rack`)."""
+        (first, _), (second, _) = self.starts_m
+        return first, self.action_m - second
+
+    @property
+    def notes(self) -> str:
+        """Return why the path is shorter and whether the backlash is unusual; else nothing."""
+        backlash = self.backlash_m
+        wide = (
+            f"backlash of {backlash * 1e3:.3g} mm: centre_distance_m = {self.working_distance_m:g} "
+            "needs a larger sum of profile_shift to mesh closely"
+        )
+        is_wide = backlash > LARGEST_BACKLASH * self.module_m
+        return "; ".join(filter(None, (self.shortening, wide if is_wide else "")))
+
+    @property
+    def shortening(self) -> str:
+        """Return why the path ends before the tips, in words; nothing where it does not."""
+        lost = (self.involutes_m[0] - self.tips_m[0], self.tips_m[1] - self.involutes_m[1])
+        found = [
+            (
+                f"the rack undercuts the gear with {z} teeth, which shortens the path of contact "
+                f"by {length * 1e3:.3g} mm: a profile_shift of {least:.3f} or more avoids it"
+                if is_cut
+                else f"the tip of the gear with {mate} teeth reaches the fillet of the gear with "
+                f"{z}, where no involute is left over {length * 1e3:.3g} mm of the path: lower "
+                "addendum, or raise profile_shift"
+            )
+            for z, mate, length, least, (_, is_cut) in zip(
+                self.teeth, self.teeth[::-1], lost, self.least_shifts, self.starts_m, strict=True
+            )
+            if length > ROUND_OFF * self.module_m
+        ]
+        return "; ".join(found)
 
     @property
     def base_pitch_m(self) -> float:

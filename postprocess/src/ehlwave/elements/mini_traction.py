@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from ehlwave.elements.ball_on_disc import BallOnDisc
+from ehlwave.elements.given import above
 
 BALL_M, TRACK_M = 0.01905, 0.042
 """Diameters of the ball and of the track on the disc (from memory of the maker's data sheet)."""
@@ -53,7 +54,8 @@ class MiniTraction(BallOnDisc):
             elastic_modulus_pa=elastic_modulus_pa,
             poisson_ratio=poisson_ratio,
         )
-        self.track_diameter_m = track_diameter_m
+        place = type(self).__name__
+        self.track_diameter_m = above(track_diameter_m, "track_diameter_m", place, example="0.042")
 
     def disc_speed_rpm(self, mean_speed_m_per_s: float, slide_to_roll_ratio: float = 0.0) -> float:
         """Return the speed of the disc.

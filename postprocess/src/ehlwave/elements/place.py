@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -14,9 +14,21 @@ from ehlwave.contact.equality import equal_fields
 from ehlwave.elements.hertz import hertz_line, hertz_point, reduced_modulus, reduced_radius
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.operating_point import Contact
+from ehlwave.shown import percent
 
 ROUND_OFF = 1e-12
 """Difference of the speeds over their mean below which both are equal."""
+ASSUMED_EYRING_PA, ASSUMED_EYRING_ERROR = 5e6, 0.4
+"""Eyring stress of oils without a flow law under slip and heat, with its relative error: mineral
+oils and PAO have 3 to 6 MPa (page of oils)."""
+ASSUMED = (
+    "friction, temperatures and stress take an assumed Eyring stress of "
+    f"{ASSUMED_EYRING_PA * 1e-6:g} MPa within {percent(ASSUMED_EYRING_ERROR)}, since the oil has "
+    "no flow law: give the oil its own eyring_stress_pa"
+)
+STATIC_PA, MOST_PA = 4e9, 2e10
+"""Hertz pressures that hard steel bears without lasting dents (ISO 76: rollers 4, balls 4.2 GPa),
+and that no material bears: a wrong unit."""
 STILL = 1e-4
 """Speed of a surface over the speed of the other below which its direction does not count."""
 
@@ -82,6 +94,24 @@ class ElementContact:
     def load_n_per_m(self) -> float:
         """Return the load per length of a line; NaN of a point."""
         return math.nan if self.length_m is None else self.load_n / self.length_m
+
+    @property
+    def assumes_eyring(self) -> bool:
+        """Return whether the surfaces slide in an oil without a flow law."""
+        return self.slide_to_roll_ratio != 0 and self.oil.eyring_stress_pa is None
+
+    @property
+    def flow_oil(self) -> Oil:
+        """Return the oil, under slip with an Eyring stress: its own, or the assumed one.
+
+        Contacts with heat take it: without a limit of the shear stress, friction and temperatures
+        at pressures of 1 GPa are not known.
+        """
+        if not self.assumes_eyring:
+            return self.oil
+        return replace(
+            self.oil, eyring_stress_pa=ASSUMED_EYRING_PA, eyring_stress_error=ASSUMED_EYRING_ERROR
+        )
 
     @property
     def mean_speed_m_per_s(self) -> float:
@@ -160,6 +190,12 @@ class ElementContact:
                 "opposite directions past the contact, which no law and no case covers "
                 "(slide_to_roll_ratio of -2 to 2)"
             )
+        if self.hertz_pressure_pa > MOST_PA:
+            raise SurfaceError(
+                f"a load of {self.load_n:.4g} N makes a Hertz pressure of "
+                f"{self.hertz_pressure_pa * 1e-9:.3g} GPa in a contact, where hard steel bears "
+                "4 GPa (ISO 76): check loads, dimensions and their units"
+            )
         if self.slide_to_roll_ratio == 0:
             first = second = self.mean_speed_m_per_s
         sign = math.copysign(1.0, first + second)
@@ -169,7 +205,7 @@ class ElementContact:
         given |= {key: value for key, value in options.items() if value is not None}
         return Contact.from_bodies(
             *self.bodies,
-            oil=self.oil,
+            oil=self.flow_oil if options.get("heat") else self.oil,
             speeds_m_per_s=(max(first * sign, 0.0), max(second * sign, 0.0)),
             **given,
         )

@@ -21,7 +21,8 @@ from ehlwave.shown import split_words, spread
 
 DOTS_PER_INCH = 130
 SUMMARY = (
-    *("rolling_power_w", "sliding_power_w", "efficiency"),
+    *("rolling_power_w", "sliding_power_w", "efficiency", "assumed_eyring_stress_pa"),
+    *("peak_hertz_pressure_pa", "peak_hertz_distance_m", "geometry_note"),
     *("kappa_iso_281", "centrifugal_over_load", "reversals_deg", "opposite_speeds_deg"),
 )
 """Numbers of an element that the text has."""
@@ -183,6 +184,7 @@ def report_body(table: xr.Dataset, words: Callable[[str], str] = str) -> str:
         f"<li>{escape(one)}</li>" for one in str(table.attrs["worst"]).split("; ") if one
     )
     texts = [*reasons(table), *_kinds(table, "doubts")]
+    texts += [str(table.attrs["geometry_note"])] if "geometry_note" in table.attrs else []
     notes = "".join(f"<p class='note'>{escape(words(text))}</p>" for text in texts)
     numbers = [str(key) for key in table.attrs if key not in ("worst", "element")]
     attributes = "".join(

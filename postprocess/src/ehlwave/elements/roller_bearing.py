@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from ehlwave.elements.bearing import RollingBearing
-from ehlwave.elements.given import above, count
+from ehlwave.elements.given import above, elements_of
 from ehlwave.elements.hertz import reduced_modulus
 from ehlwave.elements.load_zone import ROLLER_POWER
 from ehlwave.elements.material import elastic_of
-from ehlwave.errors import SurfaceError
 
 ISO_STIFFNESS = 35948.0
 """c_L of steel over L^(8/9), N and mm: both contacts of a roller in series, ISO 16281:2008."""
@@ -26,26 +25,12 @@ class RollerBearing(RollingBearing):
     def _take(self, given: dict[str, Any]) -> None:
         """Check and keep the arguments of all roller bearings."""
         name = type(self).__name__
-        self.element_diameter_m = above(
-            given["roller_diameter_m"], "roller_diameter_m", name, example="0.011"
-        )
-        self.pitch_diameter_m = above(
-            given["pitch_diameter_m"],
-            "pitch_diameter_m",
-            name,
-            self.element_diameter_m,
-            example="0.06",
-        )
+        size = (given["roller_diameter_m"], given["pitch_diameter_m"], given["rollers"])
+        found = elements_of("roller", *size, name)
+        self.element_diameter_m, self.pitch_diameter_m, self.elements = found
         self.roller_length_m = above(
             given["roller_length_m"], "roller_length_m", name, example="0.012"
         )
-        self.elements = count(given["rollers"], "rollers", name, 3)
-        if self.elements * self.element_diameter_m > 3.1416 * self.pitch_diameter_m:
-            raise SurfaceError(
-                f"{name}: rollers = {self.elements} of roller_diameter_m = "
-                f"{self.element_diameter_m:g} do not fit on pitch_diameter_m = "
-                f"{self.pitch_diameter_m:g}: give fewer"
-            )
         self.elastic = elastic_of(
             given["material"], given["elastic_modulus_pa"], given["poisson_ratio"]
         )

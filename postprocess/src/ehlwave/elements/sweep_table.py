@@ -87,7 +87,8 @@ def write_sweep(
     """
     if not places:
         raise SurfaceError("write_sweep: no contacts are given")
-    oil, out = places[0].oil, Writer() if writer is None else writer
+    sliding = next((one for one in places if one.slide_to_roll_ratio), places[0])
+    oil, out = sliding.flow_oil if heat else sliding.oil, Writer() if writer is None else writer
     groups: dict[str, dict[str, Any]] = {"lubricant": {"roelands_index": oil.roelands_index}}
     if oil.eyring_stress_pa is not None:
         groups["lubricant"] |= {"flow_law": "eyring", "eyring_stress_pa": oil.eyring_stress_pa}

@@ -11,7 +11,7 @@ import xarray as xr
 from ehlwave.elements.answers import Questions, Row, row_of
 from ehlwave.elements.columns import COLUMNS, TEXTS
 from ehlwave.elements.formulas import FORMULAS, written
-from ehlwave.elements.place import ElementContact
+from ehlwave.elements.place import ASSUMED_EYRING_ERROR, ASSUMED_EYRING_PA, ElementContact
 from ehlwave.shown import spread_of
 
 WORST = {
@@ -83,6 +83,9 @@ def table_of(
             )
         elif name in TEXTS:
             found[name].attrs["long_name"] = TEXTS[str(name)]
+    if asked.heat and any(place.assumes_eyring for place in places):
+        found.attrs["assumed_eyring_stress_pa"] = ASSUMED_EYRING_PA
+        found.attrs["assumed_eyring_stress_pa_error"] = ASSUMED_EYRING_ERROR
     return found
 
 
@@ -125,6 +128,14 @@ def unanswered(table: xr.Dataset) -> int:
     if "central_film_m" not in table:
         return int(table["load_n"].size)
     return int(np.isnan(table["central_film_m"].values).sum())
+
+
+def sliding_error(table: xr.Dataset) -> float:
+    """Return the relative error of the mean sliding power of a table; NaN where not known."""
+    if "sliding_power_w" not in table:
+        return float("nan")
+    power = table["sliding_power_w"]
+    return float((power * table["friction_error"]).sum(skipna=False) / power.sum(skipna=False))
 
 
 def _key(place: ElementContact) -> tuple[Any, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from ehlwave.contact.bodies import Body
-from ehlwave.elements.given import above, at_least
+from ehlwave.elements.given import RADIANS, above, at_least
 from ehlwave.elements.load_zone import ROLLER_HALF_LOADED as HALF_LOADED
 from ehlwave.elements.load_zone import LoadZone, tapered_zone
 from ehlwave.elements.roller_bearing import RollerBearing
@@ -62,7 +62,7 @@ class TaperedRollerBearing(RollerBearing):
     ) -> None:
         """Check the dimensions."""
         name = type(self).__name__
-        self.inner_angle_deg = above(inner_angle_deg, "inner_angle_deg", name, example="12")
+        self.inner_angle_deg = above(inner_angle_deg, "inner_angle_deg", name, RADIANS, "12")
         self.outer_angle_deg = above(
             outer_angle_deg, "outer_angle_deg", name, self.inner_angle_deg, example="15.5"
         )

@@ -77,10 +77,10 @@ class TestRig:
         **given
             As of :meth:`contact_at`.
         """
-        speeds = np.atleast_1d(mean_speeds_m_per_s)
+        speeds = np.atleast_1d(np.asarray(mean_speeds_m_per_s, dtype=object))
         if speeds.size == 0:
             raise SurfaceError(f"{type(self).__name__}: mean_speeds_m_per_s is empty: give a speed")
-        return [self.contact_at(mean_speed_m_per_s=float(one), **given) for one in speeds]
+        return [self.contact_at(mean_speed_m_per_s=one, **given) for one in speeds]
 
     def over_speeds(
         self,

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from ehlwave.contact.conditions import Conditions
-from ehlwave.contact.data_errors import OIL_ERRORS, film_change
+from ehlwave.contact.data_errors import EYRING_ERROR, OIL_ERRORS, film_change
 from ehlwave.laws.sheared_film import Sliding
 
 
@@ -20,14 +20,14 @@ def error_by_data(
 ) -> float:
     """Return by how much friction changes, relative, where the oil's data change by their errors.
 
-    Errors of viscosity, pressure-viscosity coefficient and conductivity, each at both ends. Factors
-    that raise friction multiply; so do factors that lower it. The film changes as by the film
-    formula.
+    Errors of viscosity, pressure-viscosity coefficient, Eyring stress and conductivity, each at
+    both ends. Factors that raise friction multiply; so do factors that lower it. The film changes
+    as by the film formula.
 
     Parameters
     ----------
     conditions : Conditions
-        With the errors of the first two, as they were given.
+        With the errors of the first three, as they were given.
     case : Sliding
         The film.
     friction : callable
@@ -36,7 +36,8 @@ def error_by_data(
         Relative.
     """
     given = dict(conditions.given)
-    errors = [float(given.get(key, 0.0)) for key in OIL_ERRORS] + [conductivity_error]
+    errors = [float(given.get(key, 0.0)) for key in (*OIL_ERRORS, EYRING_ERROR)]
+    errors.append(conductivity_error)
     if not any(errors):
         return 0.0
     start, most, least = friction(case, 1.0), 1.0, 1.0
@@ -44,18 +45,21 @@ def error_by_data(
         if error:
             ends = []
             for end in (1 - error, 1 + error):
-                eta, alpha, k = (end if place == i else 1.0 for i in range(len(errors)))
-                ends.append(friction(_changed(conditions, case, eta, alpha), k) / start)
+                *oil, k = (end if place == i else 1.0 for i in range(len(errors)))
+                ends.append(friction(_changed(conditions, case, *oil), k) / start)
             most, least = most * max(1.0, *ends), least * min(1.0, *ends)
     return max(most - 1, 1 - least)
 
 
-def _changed(conditions: Conditions, case: Sliding, eta: float, alpha: float) -> Sliding:
-    """Return a film whose oil has eta0 and alpha times factors."""
+def _changed(
+    conditions: Conditions, case: Sliding, eta: float, alpha: float, eyring: float
+) -> Sliding:
+    """Return a film whose oil has eta0, alpha and Eyring stress times factors."""
     c = conditions
     return replace(
         case,
         viscosity_pa_s=case.viscosity_pa_s * eta,
         pressure_viscosity_per_pa=case.pressure_viscosity_per_pa * alpha,
+        eyring_stress_pa=case.eyring_stress_pa * eyring,
         film_m=case.film_m * film_change(c.m, c.l, c.d, eta, alpha),
     )

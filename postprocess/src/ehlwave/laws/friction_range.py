@@ -22,7 +22,7 @@ DOMAIN_X, DOMAIN_Y = 2.5, 2.0
 
 WITH_DOWNSTREAM, FEWEST_DOMAINS = 1.3, 2.0
 """Ratio of the friction outside to the friction upstream, and the least distance in domains, as in
-``src/reynolds/shear_stress.f90`` and ``src/run/film_errors.f90``.
+``src/reynolds/shear_stress.f90`` and ``src/run/rolling_result.f90``.
 """
 
 ANGLES, STEPS = 48, 64

@@ -233,8 +233,10 @@ def warmed(
         return Heated(inlet, inlet, None, *errors_of(warmth))
     case = sliding_film(conditions, eyring_stress_pa, film_m)
 
-    def factor(found: Sheared, film: float, loading: float, inlet: float) -> float:
-        stress = found.friction * conditions.hertz_pa / eyring_stress_pa
+    def factor(
+        found: Sheared, film: float, loading: float, inlet: float, eyring_pa: float
+    ) -> float:
+        stress = found.friction * conditions.hertz_pa / eyring_pa
         own = friction_factor(over_c * film, conditions.is_line, stress, loading, ratio)
         if conditions.is_line:
             rise = heat.viscosity_temperature_per_k * found.rise_mid_film_k
@@ -254,7 +256,8 @@ def warmed(
         one = replace(one, film_m=one.film_m * its_inlet / inlet)
         found = shear_warm(one, other)
         one_loading = loading_of(conditions, other)
-        return found.friction * factor(found, one.film_m / film_m, one_loading, its_inlet)
+        ends = (one_loading, its_inlet, one.eyring_stress_pa)
+        return found.friction * factor(found, one.film_m / film_m, *ends)
 
     warmth = heat.viscosity_temperature_per_k * warm.rise_surfaces_k
     own_error = FRICTION_BAR + (0.0 if conditions.is_line else ELLIPSE_BAR)
@@ -269,9 +272,9 @@ def warmed(
         inlet,
         film * smallest_of(warmth),
         *errors_of(warmth),
-        warm.friction * factor(warm, film, loading, inlet),
+        warm.friction * factor(warm, film, loading, inlet, eyring_stress_pa),
         own_error + friction_by_data,
-        cold.friction * factor(cold, 1.0, 0.0, 1.0),
+        cold.friction * factor(cold, 1.0, 0.0, 1.0, eyring_stress_pa),
         warm.rise_mid_film_k,
         warm.rise_surfaces_k,
         by_data,

@@ -37,7 +37,7 @@ def isothermal_error_by_data(
 
     def friction(one: Sliding, _: float) -> float:
         found, over_c = shear_isothermal(one), film_moes / per_film * one.film_m / case.film_m
-        stress = found.friction * one.hertz_pa / eyring_stress_pa
+        stress = found.friction * one.hertz_pa / one.eyring_stress_pa
         ratio = one.slide_to_roll_ratio
         return found.friction * float(friction_factor(over_c, c.is_line, stress, 0.0, ratio))
 

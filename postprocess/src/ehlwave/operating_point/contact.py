@@ -106,14 +106,19 @@ class Contact(RoughContact):
         Parameters
         ----------
         by : {"laws", "computed"}, optional
-            As of :meth:`film`: the laws, by centred differences, or the gradients of
-            ``ehlwave-case``.
+            As of :meth:`film`: the laws, by differences within a law and a chart of the atlas, or
+            the gradients of ``ehlwave-case``.
 
         Returns
         -------
         pandas.DataFrame
             A row for each key; columns ``central_film``, ``minimum_film`` and ``friction``. NaN:
-            the result is not known.
+            the result is not known. Films of M, L and D without lengths are in the Moes scale.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: no law holds, and the contact has heat or is not to be computed.
 
         Examples
         --------
