@@ -73,20 +73,15 @@ contains
 
       error = no_value
       if (size(values) < 2) return
-      if (.not. (all(is_known(values(:2))) .and. abs(values(1)) > 0)) return
+      if (.not. (all(ieee_is_finite(abs(values(:2)))) .and. abs(values(1)) > 0)) return
       ratio = 4
       if (present(order)) ratio = 2**order
       error = abs(values(1) - values(2))
       if (size(values) > 2) then
-         if (is_known(values(3))) error = max(error, abs(values(2) - values(3))/ratio)
+         if (ieee_is_finite(abs(values(3)))) error = max(error, abs(values(2) - values(3))/ratio)
       end if
       error = error/((ratio - 1)*abs(values(1)))
    end function richardson_error
-
-   elemental logical function is_known(value)
-      complex(dp), intent(in) :: value
-      is_known = ieee_is_finite(real(value, dp)) .and. ieee_is_finite(aimag(value))
-   end function is_known
 
    !> Theory eq. (E2): log2 of |v(2h) - v(4h)|/|v(h) - v(2h)|; NaN without three finite values or where they do not
    !> differ.
