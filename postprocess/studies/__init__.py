@@ -6,8 +6,8 @@
   ``two_waves``;
 - accuracy and cost: ``accuracy``, ``all_keys``, ``answered``, ``budget``, ``calibrate``,
   ``elements``, ``error_time``, ``identified``, ``line_work``, ``speed``, ``threads``,
-  ``stability``, ``touching``, ``touching_films``, ``touching_map``, ``touching_steady``, ``peers``
-  with ``peer_runs`` and ``peer_slippy``;
+  ``stability``, ``touching``, ``touching_films``, ``touching_map``, ``touching_pair``,
+  ``touching_steady``, ``peers`` with ``peer_runs`` and ``peer_slippy``;
 - shipped data: ``atlas``, ``starvation``, ``heat``, ``heat_ends``, ``heat_films``,
   ``heated_contacts``, ``inlet_law``, ``inlet_tables``, ``judged``;
 - published values that tests compare: ``published``, ``rolling``.

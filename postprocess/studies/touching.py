@@ -47,12 +47,19 @@ _VALUES = (
 
 
 def contact(chance: random.Random, *, is_line: bool) -> tuple[dict[str, Any], float, float]:
-    """Return conditions, half width and central film in metres by the usual formulas."""
+    """Return drawn conditions, half width and central film in metres."""
     hertz = chance.uniform(0.4e9, 1e9)
     speed = math.exp(chance.uniform(math.log(0.02), math.log(0.5)))
+    return contact_of(hertz, speed, round(chance.uniform(0.1, 1.9), 2), is_line=is_line)
+
+
+def contact_of(
+    hertz: float, speed: float, slip: float, *, is_line: bool
+) -> tuple[dict[str, Any], float, float]:
+    """Return conditions, half width and central film in metres by the usual formulas."""
     conditions = {
         **{"radius_x_m": RADIUS_M, "reduced_modulus_pa": MODULUS_PA, "viscosity_pa_s": 0.04},
-        **{"mean_speed_m_per_s": speed, "slip_parameter": round(chance.uniform(0.1, 1.9), 2)},
+        **{"mean_speed_m_per_s": speed, "slip_parameter": slip},
     }
     u, g = 0.04 * speed / (MODULUS_PA / 2 * RADIUS_M), ALPHA * MODULUS_PA
     if is_line:
@@ -90,9 +97,7 @@ def _ramp(x: Array, length: float) -> Array:
     return np.sin(math.pi / 2 * ends) ** 2
 
 
-def _write_map(
-    path: Path, chance: random.Random, rq: float, width: float, *, is_line: bool
-) -> None:
+def write_map(path: Path, chance: random.Random, rq: float, width: float, *, is_line: bool) -> None:
     """Write random heights without waves shorter than half the contact's half width."""
     step = 0.04 * width
     x = step * np.arange(_POINTS)
@@ -128,7 +133,7 @@ def draw(number: int, folder: Path) -> tuple[str, Groups]:
     if chance.random() < 0.5:
         groups["lubricant"] |= {"flow_law": "eyring", "eyring_stress_pa": 1e7}
     if kind == "map":
-        _write_map(folder / f"map{number}.h5", chance, rq, width, is_line=is_line)
+        write_map(folder / f"map{number}.h5", chance, rq, width, is_line=is_line)
         groups |= {"surface": {"file": f"map{number}.h5"}, "dynamics": {"end_time": 5}}
     else:
         share = 1 if kind == "wave" else math.sqrt(0.5)

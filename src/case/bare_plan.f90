@@ -120,6 +120,7 @@ contains
    pure real(dp) function expected_memory_mib(self)
       class(bare_plan_t), intent(in) :: self
       real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_multigrid = 335, bytes_wavy = 900, &
+         bytes_past = 165, &                                            ! the last period of waves
          bytes_timing = 64, &                                           ! bytes of a work unit, per timed cell
          bytes_in_parts = 1080, &     ! bytes of responses whose linear systems are not kept side by side
          bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
@@ -136,6 +137,7 @@ contains
       if (self%is_by_multigrid) bytes = bytes_multigrid &
          + bytes_timing*min(real(self%cells_x, dp)*self%cells_y, real(largest_timed, dp))/cells
       if (self%kind /= run_smooth) bytes = max(bytes, bytes_wavy)
+      if (self%kind == run_march .and. self%surfaces%repeat_soon()) bytes = bytes + bytes_past
       if (self%is_periodic) bytes = bytes_periodic
       if (self%responds) bytes = max(bytes, bytes_response)
       if (self%is_periodic .or. self%responds) bytes = bytes*(1 + response_growth*halvings**2)

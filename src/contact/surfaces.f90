@@ -19,6 +19,7 @@ module ehlwave_surfaces
       procedure :: shortest_period
       procedure :: longest_period
       procedure :: repeat_period
+      procedure :: repeat_soon
       procedure :: window
       procedure :: are_apart
       procedure :: periods
@@ -113,6 +114,18 @@ contains
       end do
       repeat_period = 0
    end function repeat_period
+
+   !> Whether all waves move and repeat within a few of the shortest periods.
+   pure logical function repeat_soon(self)
+      class(surfaces_t), intent(in) :: self
+      integer, parameter :: few = 3
+      repeat_soon = allocated(self%list)
+      if (repeat_soon) repeat_soon = self%moves() .and. .not. self%is_measured()
+      if (.not. repeat_soon) return
+      associate (period => self%repeat_period())
+         repeat_soon = period > 0 .and. period <= few*self%shortest_period()
+      end associate
+   end function repeat_soon
 
    !> Time over which waves are measured, in T: until they repeat, or for a beat of two that do not.
    pure real(dp) function window(self)

@@ -19,6 +19,7 @@ module ehlwave_touching_march
    public :: count_steps, march_touching
 
    integer, parameter :: most_cuts = 4   !! halvings of the change of the roughness in a step
+   real(dp), parameter :: slow = 0.5_dp  !! S of roughness that is closer to rest than to the oil
 
 contains
 
@@ -51,7 +52,8 @@ contains
       solver%given%load%force = case%load_factor
       do k = march%steps + 1, plan%steps
          associate (grid => solver%problem%grid)
-            call take_step(solver, state, plan%surfaces%rough_at(grid%x, grid%y, k*plan%dt, film), report)
+            call take_step(solver, march%steady, moves_on(plan), &
+                           plan%surfaces%rough_at(grid%x, grid%y, k*plan%dt, film), state, report)
          end associate
          call count_steps(report, result)
          if (report%status /= status_converged) then
@@ -110,11 +112,22 @@ contains
       end associate
    end subroutine begin_histories
 
-   !> A step to another roughness. Where Newton's method fails, the roughness changes in parts.
-   subroutine take_step(solver, state, rough, report)
+   !> Whether the state of a step before, moved on by a cell, is closer to the state of a step: steps are of a cell, and
+   !> the roughness is faster than half the oil.
+   pure logical function moves_on(plan)
+      type(case_plan_t), intent(in) :: plan
+      moves_on = plan%steps_per_cell == 1 .and. plan%surfaces%is_rough()
+      if (moves_on) moves_on = plan%surfaces%list(plan%surfaces%main)%slip > slow
+   end function moves_on
+
+   !> A step to another roughness, from a guess that moves with the oil. Where Newton's method fails, the roughness
+   !> changes in parts.
+   subroutine take_step(solver, steady, moves, rough, state, report)
       type(touching_solver_t), intent(inout) :: solver
-      type(touching_state_t), intent(inout) :: state
+      type(touching_state_t), intent(in) :: steady       !! of smooth surfaces
+      logical, intent(in) :: moves                       !! whether the guess moves
       real(dp), intent(in) :: rough(0:, 0:)
+      type(touching_state_t), intent(inout) :: state
       type(solve_report_t), intent(out) :: report
       type(touching_state_t) :: before
       real(dp), allocatable :: rough_before(:, :)
@@ -124,6 +137,7 @@ contains
       rough_before = solver%given%rough
       linear_steps = 0
       steps = 0
+      if (moves) call state%move_on(steady)
       do cut = 0, most_cuts
          if (cut > 0) state = before
          do m = 1, 2**cut

@@ -12,7 +12,7 @@ module ehlwave_checkpoint_file
    implicit none (type, external)
    private
 
-   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 8 '//program_version//' '//git_revision//' '// &
+   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 9 '//program_version//' '//git_revision//' '// &
       compiler//' '//compiler_flags
 
    !> Where the checkpoint of one case is kept, and when. The file is replaced as a whole and carries a checksum; a

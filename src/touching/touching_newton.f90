@@ -22,8 +22,12 @@ module ehlwave_touching_newton
    public :: residuals, set_speed
 
    real(dp), parameter, public :: speed_step = 1e-5_dp   !! of ln(speed), for derivatives
-   real(dp), parameter :: loose = 1e-2_dp             !! linear tolerance of marches,
+   real(dp), parameter :: loosest = 3e-2_dp           !! linear tolerance of marches while sets change,
+   real(dp), parameter :: loose = 1e-2_dp             !! once they rest,
+   real(dp), parameter :: tight = 1e-4_dp             !! near the solution, at most,
    real(dp), parameter, public :: exact = 1e-8_dp     !! and of steady states
+   real(dp), parameter :: near = 0.3_dp               !! largest residual near the solution of a step of a march
+   real(dp), parameter :: highest_c = 1e3_dp          !! C beyond all solutions: the film under it would overflow
    integer, parameter :: largest_krylov = 150            !! linear steps of a solution
 
    !> A contact on one grid, with what it is given.
@@ -85,6 +89,8 @@ contains
       sides%seeks_speed = present(share)
       if (sides%seeks_speed .and. .not. any(state%is_touching)) call touch_first(state)
       do
+         report%status = status_not_finite
+         if (.not. maxval(state%c) < highest_c) exit
          call set_speed(self%problem, state%speed)
          call self%equations%evaluate(self%problem, self%law, self%given, self%past, state)
          call self%count_work(real(evaluation_operations, dp)*size(state%p))
@@ -96,23 +102,35 @@ contains
          if (report%nonlinear_steps == self%largest_steps) exit
          call self%equations%linearise(self%past, state)
          if (sides%seeks_speed) call differentiate_by_speed(self, state, sides)
-         call solve_linear(self, state, sides, merge(loose, exact, allocated(self%past%f)), change, report)
+         call solve_linear(self, state, sides, steps%are_settled, change, report)
          call steps%take(self%problem, self%law, self%given, allocated(self%past%f), change, self%equations%gap, state)
          report%nonlinear_steps = report%nonlinear_steps + 1
       end do
    end subroutine solve
 
-   !> Change of a step of Newton's method.
-   subroutine solve_linear(self, state, sides, tolerance, change, report)
+   !> Change of a step of Newton's method. Near the solution of a step of a march the factors of the step before serve.
+   subroutine solve_linear(self, state, sides, are_settled, change, report)
       class(touching_solver_t), intent(inout), target :: self
       type(touching_state_t), intent(in), target :: state
       type(touching_change_t), intent(in) :: sides
-      real(dp), intent(in) :: tolerance          !! relative
+      logical, intent(in) :: are_settled         !! whether the sets are those of the step before
       type(touching_change_t), intent(inout) :: change
       type(solve_report_t), intent(inout) :: report
       real(dp), allocatable :: b(:), x(:)
+      real(dp) :: tolerance                      ! relative
+      logical :: is_near
 
-      call self%system%pose(self%problem, self%law, self%equations, .not. allocated(self%past%f), state, sides)
+      is_near = allocated(self%past%f) .and. are_settled
+      if (is_near) is_near = report%worst() < near .and. self%gmres%reduction <= loosest
+      if (is_near) then
+         tolerance = min(loose, max(tight, report%worst(), near*self%tolerance/report%worst()))
+      else if (allocated(self%past%f)) then
+         tolerance = merge(loose, loosest, are_settled)
+      else
+         tolerance = exact
+      end if
+      call self%system%pose(self%problem, self%law, self%equations, .not. allocated(self%past%f), state, sides, &
+                            keeps_factors=is_near)
       allocate (b(self%system%unknowns%n), x(self%system%unknowns%n))
       call self%system%unknowns%residuals(sides, b)
       self%gmres%largest_steps = largest_krylov

@@ -17,6 +17,7 @@ module ehlwave_touching_state
       real(dp) :: softness = 0, stress = 1         !! sigma/c, C_0/ph
    contains
       procedure :: excess
+      procedure :: first_pressure
       procedure :: touches
    end type touching_law_t
 
@@ -31,8 +32,10 @@ module ehlwave_touching_state
       logical, allocatable :: is_touching(:, :), is_cavitated(:, :)
    contains
       procedure :: run_dry
+      procedure :: move_on
    end type touching_state_t
 
+   real(dp), parameter :: steepest = 60            !! largest logarithm of C/C_0 of a first guess: far beyond solutions
    real(dp), parameter :: faint = 25               !! softnesses above the boundary film beyond which C counts as 0
 
 contains
@@ -56,6 +59,13 @@ contains
       excess = gap - self%film
       if (self%is_soft) excess = excess + self%softness*log(c/self%stress)
    end function excess
+
+   !> Pressure of soft solids at a gap, for a node where they did not bear; limited where the law would overflow.
+   elemental real(dp) function first_pressure(self, gap)
+      class(touching_law_t), intent(in) :: self
+      real(dp), intent(in) :: gap
+      first_pressure = self%stress*exp(min(steepest, (self%film - gap)/self%softness))
+   end function first_pressure
 
    !> Whether solids bear at a gap, for a node where they did not.
    elemental logical function touches(self, gap)
@@ -107,6 +117,46 @@ contains
       self%c = self%p
       self%p = 0
    end subroutine run_dry
+
+   !> First guess of the state after a step of one cell: differences from a steady state move a cell with the oil.
+   pure subroutine move_on(self, steady)
+      class(touching_state_t), intent(inout) :: self
+      class(touching_state_t), intent(in) :: steady
+      integer :: j, last
+
+      last = ubound(self%p, 1) - 1
+      do j = 0, ubound(self%p, 2)
+         self%p(1:last, j) = max(0.0_dp, self%p(:last - 1, j) + rises(steady%p(:last, j)))
+         self%c(1:last, j) = max(0.0_dp, self%c(:last - 1, j) + rises(steady%c(:last, j)))
+         self%theta(1:last, j) = max(0.0_dp, min(1.0_dp, self%theta(:last - 1, j) + rises(steady%theta(:last, j))))
+         self%is_touching(1:last, j) = self%is_touching(:last - 1, j) .neqv. changes(steady%is_touching(:last, j))
+         self%is_cavitated(1:last, j) = self%is_cavitated(:last - 1, j) .neqv. changes(steady%is_cavitated(:last, j))
+      end do
+      self%is_touching = self%is_touching .and. self%c > 0
+      where (.not. self%is_touching) self%c = 0
+      where (self%is_cavitated)
+         self%p = 0
+      elsewhere
+         self%theta = 1
+      end where
+
+   contains
+
+      !> Differences to the node upstream.
+      pure function rises(line) result(values)
+         real(dp), intent(in) :: line(0:)
+         real(dp) :: values(ubound(line, 1))
+         values = line(1:) - line(:ubound(line, 1) - 1)
+      end function rises
+
+      !> Whether a node and the node upstream are in different sets.
+      pure function changes(line) result(values)
+         logical, intent(in) :: line(0:)
+         logical :: values(ubound(line, 1))
+         values = line(1:) .neqv. line(:ubound(line, 1) - 1)
+      end function changes
+
+   end subroutine move_on
 
    !> A full gap of no height, without pressure.
    function still_state(grid) result(state)

@@ -11,7 +11,7 @@ module ehlwave_touching_steps
    public :: touch_first
 
    real(dp), parameter :: largest_change_p = 0.3_dp      !! of P in a step; where solids bear it holds node by node
-   real(dp), parameter :: largest_fall_p = 1             !! of P downwards, where no solids bear
+   real(dp), parameter :: largest_marched_p = 1          !! of P in a step of a march where no solids bear
    real(dp), parameter :: largest_change_speed = 0.3_dp  !! of ln(speed)
    real(dp), parameter :: largest_change_c = 2           !! of ln(C), soft law
    real(dp), parameter :: least_gap = 0.5_dp             !! gap over the boundary film at which solids may leave
@@ -73,21 +73,20 @@ contains
       call move_alloc(sets, self%last)
    end subroutine take
 
-   !> Part of a change that is taken, in a march: the oil's pressure where no solids bear changes within limits, which
-   !> are wider downwards, and no further than to 0. In steady states the limit holds everywhere and both ways.
+   !> Part of a change that is taken, in a march: the oil's pressure where no solids bear changes within a limit, and no
+   !> further than to 0. In steady states a narrower limit holds everywhere.
    pure real(dp) function length_of(marches, state, change) result(part)
       logical, intent(in) :: marches
       type(touching_state_t), intent(in) :: state
       type(touching_change_t), intent(in) :: change
-      real(dp) :: down, up
+      real(dp) :: over
       if (marches) then
-         up = maxval(change%p, mask=.not. (state%is_cavitated .or. state%is_touching))
-         down = maxval(min(state%p, -change%p), mask=.not. (state%is_cavitated .or. state%is_touching))
+         over = maxval(max(change%p, min(state%p, -change%p)), mask=.not. (state%is_cavitated .or. state%is_touching)) &
+                /largest_marched_p
       else
-         up = maxval(abs(change%p), mask=.not. state%is_cavitated)
-         down = 0
+         over = maxval(abs(change%p), mask=.not. state%is_cavitated)/largest_change_p
       end if
-      part = 1/max(1.0_dp, up/largest_change_p, down/largest_fall_p, abs(change%ln_speed)/largest_change_speed)
+      part = 1/max(1.0_dp, over, abs(change%ln_speed)/largest_change_speed)
    end function length_of
 
    !> Change P, theta and C. Where hard solids leave in a march, the oil takes over all the pressure: so the gap is not
@@ -135,7 +134,7 @@ contains
       breaks = is_unknown .and. merge(state%theta <= 1, state%p < 0, state%is_cavitated)
       bears = is_unknown .and. law%touches(gap)
       if (law%is_soft) then
-         where (bears .and. .not. state%is_touching) state%c = law%stress*exp((law%film - gap)/law%softness)
+         where (bears .and. .not. state%is_touching) state%c = law%first_pressure(gap)
       else
          bears = is_unknown .and. merge(.not. leaves, bears, state%is_touching)
       end if

@@ -72,8 +72,8 @@ contains
       end associate
    end subroutine init
 
-   !> Take a state at which the equations were linearised, and make the factors.
-   subroutine pose(self, problem, law, equations, is_steady, state, sides)
+   !> Take a state at which the equations were linearised, and make the factors, or keep those of the state before.
+   subroutine pose(self, problem, law, equations, is_steady, state, sides, keeps_factors)
       class(touching_system_t), intent(inout) :: self
       type(contact_problem_t), intent(in), target :: problem
       type(touching_law_t), intent(in) :: law
@@ -81,6 +81,7 @@ contains
       logical, intent(in) :: is_steady
       type(touching_state_t), intent(in), target :: state
       type(touching_change_t), intent(in) :: sides
+      logical, intent(in), optional :: keeps_factors     !! of the same sets; absent: no
 
       self%deformation => problem%deformation
       self%equations => equations
@@ -89,6 +90,10 @@ contains
       self%is_steady = is_steady
       self%seeks_speed = sides%seeks_speed
       if (self%seeks_speed) self%by_speed = sides%by_speed
+      self%is_ahead = .false.
+      if (present(keeps_factors)) then
+         if (keeps_factors) return
+      end if
       call self%unknowns%choose(self%grid, law%is_soft, state)
       call self%factors%make(self%grid, equations, law, state)
       call self%count(real_weights%factor*self%factors%entries)
@@ -101,19 +106,20 @@ contains
       real(dp), allocatable :: x(:), y(:)
       integer :: b
 
-      self%is_ahead = .false.
       if (allocated(self%column)) deallocate (self%column)
-      allocate (self%column(self%unknowns%n, borders), x(self%unknowns%n), y(self%unknowns%n))
-      do b = 1, borders
+      allocate (self%column(self%unknowns%n, borders), x(self%unknowns%n), y(self%unknowns%n), source=0.0_dp)
+      do b = 1, merge(borders, 1, self%seeks_speed)
          x = 0
          x(self%unknowns%n - borders + b) = 1
          call multiply(self, x, y)
          y(self%unknowns%n - 1:) = 0
          call invert_fields(self, y, self%column(:, b))
-         self%schur(:, b) = merge(1, 0, b == borders .and. .not. self%seeks_speed)*[0, 1] &
-                            - border_rows(self, self%column(:, b))
+         self%schur(:, b) = -border_rows(self, self%column(:, b))
          call self%deformation%apply(self%q, self%deformed(:, :, b))
       end do
+      if (self%seeks_speed) return
+      self%schur(:, borders) = [0, 1]
+      self%deformed(:, :, borders) = 0
    end subroutine eliminate_borders
 
    !> Load and share of changes.
@@ -201,12 +207,13 @@ contains
       class(touching_system_t), intent(inout) :: self
       real(dp), intent(in), contiguous, target :: x(:)
       real(dp), intent(out), contiguous, target :: y(:)
-      real(dp), pointer, contiguous :: u(:, :)
+      real(dp), pointer, contiguous :: r(:, :), u(:, :)
       integer :: k
 
       associate (grid => self%grid, nodes => size(self%q))
-         self%dr(:, :) = reshape(x(:nodes), shape(self%dr))
-         where (self%unknowns%weight > 0) self%dr = self%dr/self%unknowns%weight
+         r(0:grid%nx, 0:grid%ny) => x(:nodes)
+         self%dr(:, :) = r
+         where (self%unknowns%weight > 0) self%dr = r/self%unknowns%weight
          self%work = self%dr
          do k = 1, size(self%unknowns%node, 2)
             self%work(self%unknowns%node(1, k), self%unknowns%node(2, k)) = x(nodes + k)

@@ -8,7 +8,7 @@ module ehlwave_known_waves
    use ehlwave_kinds, only: dp
    use ehlwave_lagrange, only: lagrange_weights
    use ehlwave_mean_film, only: find_mean_change, mean_change_t
-   use ehlwave_neighbour_range, only: held, neighbour_range
+   use ehlwave_neighbour_range, only: held_at_steep_end
    use ehlwave_real_transfer, only: interpolate
    use ehlwave_second_harmonic, only: find_second_harmonic
    use ehlwave_state, only: new_state, state_t
@@ -50,7 +50,6 @@ module ehlwave_known_waves
    end type known_waves_t
 
    real(dp), parameter :: thinnest = 0.1_dp   !! share of the smooth film, where waves would leave less
-   real(dp), parameter :: steep = 0.15_dp     !! change of P between neighbours where the smooth pressure ends
 
 contains
 
@@ -118,13 +117,11 @@ contains
    pure subroutine limit(self, state)
       class(known_waves_t), intent(in) :: self
       type(state_t), intent(inout) :: state
-      real(dp) :: range(2)
       integer :: i, j
 
       do j = 0, ubound(state%p, 2)
          do i = 1, ubound(state%p, 1) - 1
-            range = neighbour_range(self%smooth%p, i, j)
-            if (range(2) - range(1) > steep) state%p(i, j) = held(state%p(i, j), range)
+            state%p(i, j) = held_at_steep_end(state%p(i, j), self%smooth%p, i, j)
          end do
       end do
       state%p = max(state%p, 0.0_dp)

@@ -1,5 +1,6 @@
 !> Pressures of the last period of a march, to be looked up a period later.
 module ehlwave_last_period
+   use ehlwave_byte_stream, only: bytes_t
    use ehlwave_kinds, only: dp, sp
    use ehlwave_lagrange, only: lagrange_weights
    use ehlwave_state, only: state_t
@@ -20,10 +21,11 @@ module ehlwave_last_period
       procedure :: keep
       procedure :: is_known
       procedure :: look_up
+      procedure :: pass
    end type last_period_t
 
    integer, parameter :: most_samples = 32            !! samples of a period
-   integer, parameter :: points = 4                   !! points of the interpolation in time
+   integer, parameter :: points = 6                   !! points of the interpolation in time
    real(dp), parameter :: rounding = 1e-6_dp          !! rounding of a number of steps
 
 contains
@@ -42,16 +44,18 @@ contains
       self%distance = self%steps_per_sample*time_step
       n = max(1, ceiling(period/self%distance - rounding)) + points   ! so that three steps back is known, too
       if (allocated(self%p)) deallocate (self%p, self%delta)
-      allocate (self%p(0:nx, 0:ny, 0:n - 1), self%delta(0:n - 1))
+      allocate (self%p(0:nx, 0:ny, 0:n - 1), source=0.0_sp)
+      allocate (self%delta(0:n - 1), source=0.0_dp)
    end subroutine begin
 
-   !> Take the solution of the next step.
+   !> Take the solution of the next step, if a period has begun.
    subroutine keep(self, t, state)
       class(last_period_t), intent(inout) :: self
       real(dp), intent(in) :: t
       type(state_t), intent(in) :: state
       integer :: place
 
+      if (.not. allocated(self%p)) return
       self%steps = self%steps + 1
       if (modulo(self%steps, self%steps_per_sample) /= 0) return
       place = modulo(self%samples, size(self%delta))
@@ -68,7 +72,7 @@ contains
       if (is_known) is_known = self%samples >= size(self%delta)
    end function is_known
 
-   !> Pressure and mutual approach a period before T, by a cubic between samples.
+   !> Pressure and mutual approach a period before T, by a polynomial between samples.
    pure subroutine look_up(self, t, p, delta)
       class(last_period_t), intent(in) :: self
       real(dp), intent(in) :: t
@@ -77,7 +81,7 @@ contains
       integer :: base, m, place
 
       back = (self%newest - t + self%period)/self%distance
-      base = min(max(floor(back) - 1, 0), size(self%delta) - points)
+      base = min(max(floor(back) - points/2 + 1, 0), size(self%delta) - points)
       weights = lagrange_weights(points, back - base)
       p = 0
       delta = 0
@@ -87,5 +91,21 @@ contains
          delta = delta + weights(m)*self%delta(place)
       end do
    end subroutine look_up
+
+   !> Pass the samples, if a period has begun, to the bytes or from them.
+   subroutine pass(self, bytes)
+      class(last_period_t), intent(inout) :: self
+      type(bytes_t), intent(inout) :: bytes
+      real(dp), allocatable :: p(:, :, :)
+
+      if (.not. allocated(self%p)) return
+      p = self%p
+      call bytes%numbers(p)
+      self%p = real(p, sp)
+      call bytes%numbers(self%delta)
+      call bytes%numbers(self%newest)
+      call bytes%count(self%steps)
+      call bytes%count(self%samples)
+   end subroutine pass
 
 end module ehlwave_last_period

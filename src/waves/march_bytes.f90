@@ -45,6 +45,7 @@ contains
          call bytes%numbers(past%before%h)
          call bytes%numbers(past%earlier%p)
          call bytes%numbers(past%earliest%p)
+         call past%period%pass(bytes)
          call bytes%numbers(march%history%f)
          call bytes%numbers(given%transport%carried)
          call bytes%numbers(given%rough)

@@ -1,13 +1,12 @@
 !> A time march so far: start and data of its next step.
 module ehlwave_march_past
    use ehlwave_assertions, only: assert, checks
-   use ehlwave_first_guess, only: carry_on, extrapolate, look_up, past_t
+   use ehlwave_first_guess, only: carry_on, extrapolate, past_t
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_known_waves, only: known_waves_t
-   use ehlwave_last_period, only: last_period_t
    use ehlwave_march_keeper, only: kept_march_t
    use ehlwave_march_result, only: march_result_t
    use ehlwave_march_settings, only: march_settings_t
@@ -26,7 +25,6 @@ module ehlwave_march_past
       type(past_t) :: past
       ! State that it started in, see `start_in`; absent: it started from rest
       type(known_waves_t), allocatable, private :: waves
-      type(last_period_t), private :: period               ! with `waves`
       real(dp), private :: start = 0           ! T before the first step
       type(time_history_t) :: history
       real(dp), allocatable, private :: supply(:)   ! oil offered to the steady state, of a starved contact
@@ -67,6 +65,8 @@ contains
          self%given = given   ! data of the steady state as a time step
          given%load%force = settings%force
          self%past = past_t(state, state, state, state)
+         if (settings%surfaces%repeat_soon()) call self%past%period%begin(settings%surfaces%repeat_period(), &
+            settings%time_step(grid), grid%nx, grid%ny)
          call self%result%note(0, self%start, grid%value_at_centre(state%h), state%delta)
       end associate
    end subroutine begin_past
@@ -82,9 +82,6 @@ contains
 
       self%start = t
       self%waves = waves
-      associate (grid => level%problem%grid)
-         call self%period%begin(self%settings%repeat_time(grid), self%settings%time_step(grid), grid%nx, grid%ny)
-      end associate
       associate (problem => level%problem)
          do n = 0, ubound(states, 1)
             states(n) = waves%state_at(t - n*self%settings%time_step(problem%grid))
@@ -94,7 +91,9 @@ contains
          self%given = level%given
          level%state = states(0)
          call note(self, level, 0, t)
-         self%past = past_t(self%past%steady, states(0), states(1), states(2))
+         self%past%before = states(0)
+         self%past%earlier = states(1)
+         self%past%earliest = states(2)
       end associate
    end subroutine start_in
 
@@ -131,9 +130,8 @@ contains
       if (allocated(self%waves) .and. self%result%steps < young) then
          call carry_on(self%past, self%waves, t, dt, state)
       else
-         if (self%period%is_known()) call look_up(self%period, t, dt, self%past)
          call extrapolate(merge(self%settings%cells_per_step, 0, self%settings%steps_per_cell == 1), &
-            self%settings%surfaces%frequency()*dt, self%past, state)
+            self%settings%surfaces%frequency()*dt, t, dt, self%past, state, from_rest=.not. allocated(self%waves))
       end if
    end subroutine guess
 
@@ -154,7 +152,7 @@ contains
          past%before = level%state
       end associate
       self%given = level%given
-      if (allocated(self%waves)) call self%period%keep(t, level%state)
+      call self%past%period%keep(t, level%state)
    end subroutine keep
 
    !> Record the solution at time t in the account as step k, and as the latest in the time differences.

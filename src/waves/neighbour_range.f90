@@ -6,27 +6,31 @@ module ehlwave_neighbour_range
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: held, neighbour_range
+   public :: held_at_steep_end
 
    real(dp), parameter :: margin = 0.02_dp  !! range of P beyond; measured: fewest Newton steps of first guesses between
                                              !! 0.005 and 0.05
+   real(dp), parameter :: steep = 0.15_dp   !! change of P between neighbours at a steep end
 
 contains
 
-   !> Lowest and highest value at node (i, j) and its neighbours.
-   pure function neighbour_range(p, i, j) result(range)
-      real(dp), intent(in) :: p(0:, 0:)   !! (0:nx, 0:ny)
+   !> A pressure at node (i, j); at a steep end not beyond the values of a known state there and at its neighbours, with
+   !> a margin. Elsewhere waves have crests between nodes, which no range of neighbours contains.
+   pure real(dp) function held_at_steep_end(guess, p, i, j, besides) result(held)
+      real(dp), intent(in) :: guess
+      real(dp), intent(in) :: p(0:, 0:)   !! known state, (0:nx, 0:ny)
       integer, intent(in) :: i, j
-      real(dp) :: range(2)
+      real(dp), intent(in), optional :: besides   !! value that the range contains, too
+      real(dp) :: highest, lowest
       associate (near => p(max(i - 1, 0):min(i + 1, ubound(p, 1)), max(j - 1, 0):min(j + 1, ubound(p, 2))))
-         range = [minval(near), maxval(near)]
+         lowest = minval(near)
+         highest = maxval(near)
       end associate
-   end function neighbour_range
-
-   !> A pressure, or the end of a range and its margin.
-   pure real(dp) function held(p, range)
-      real(dp), intent(in) :: p, range(2)
-      held = min(max(p, range(1) - margin), range(2) + margin)
-   end function held
+      held = guess
+      if (highest - lowest <= steep) return
+      if (present(besides)) lowest = min(lowest, besides)
+      if (present(besides)) highest = max(highest, besides)
+      held = min(max(guess, lowest - margin), highest + margin)
+   end function held_at_steep_end
 
 end module ehlwave_neighbour_range

@@ -24,7 +24,7 @@ LONG = {"sweep": {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radi
                   "orientation": "transverse", "wavelength_over_a": 0.5},
         "grid": {"cells_x": 64, "cells_y": 64}}
 # 88 time steps, half of which need the rescue ladder
-RESCUED = {"sweep": {**LONG["sweep"], "wavelength_over_a": 1}, "waviness": {"amplitude_over_film": 0.9}, "grid": LONG["grid"],
+RESCUED = {"sweep": {**LONG["sweep"], "wavelength_over_a": 0.7}, "waviness": {"amplitude_over_film": 0.9}, "grid": LONG["grid"],
            "solver": {"tolerance": 1e-4, "step_tolerance": 1e-5, "largest_steps": 4}}
 # 216 time steps, long enough to be killed in
 SLOW = {**LONG, "grid": {"cells_x": 192, "cells_y": 96}}

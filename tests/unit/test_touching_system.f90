@@ -1,5 +1,5 @@
 !> The linear system of contacts whose surfaces touch: products against differences of the residuals, its solution, and
-!> the transposed system.
+!> the transposed system; first guesses of steps, and of the pressure of soft solids.
 program test_touching_system
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
@@ -35,6 +35,9 @@ program test_touching_system
    call check('steady line of soft solids', is_line=.true., marches=.false., is_half=.false., is_soft=.true.)
    call check('steady ellipse', is_line=.false., marches=.false., is_half=.true.)
    call check('marched ellipse', is_line=.false., marches=.true., is_half=.false.)
+   call check_kept_factors()
+   call check_guess()
+   call check_soft_guess()
    call test%finish()
 
 contains
@@ -68,6 +71,63 @@ contains
       if (.not. marches) call check_transposed(name, x, y)
       call system%release()
    end subroutine check
+
+   !> With the factors of another state of the same sets the system has the same solution.
+   subroutine check_kept_factors()
+      type(touching_change_t) :: sides
+      type(gmres_t) :: gmres
+      real(dp), allocatable :: b(:), kept(:), x(:)
+
+      call make_state(is_line=.false., marches=.true., is_half=.false.)
+      sides = new_change(problem%grid)
+      call equations%evaluate(problem, law, given, past, state)
+      call equations%linearise(past, state)
+      call system%pose(problem, law, equations, .false., state, sides)
+      where (.not. state%is_cavitated) state%p = 1.02_dp*state%p
+      call equations%evaluate(problem, law, given, past, state)
+      call equations%linearise(past, state)
+      allocate (b(system%unknowns%n), kept(system%unknowns%n), x(system%unknowns%n))
+      sides%p = equations%residual
+      call system%unknowns%residuals(sides, b)
+      call system%pose(problem, law, equations, .false., state, sides, keeps_factors=.true.)
+      call gmres%solve(system, b, kept, 1e-10_dp)
+      call system%release()
+      call system%pose(problem, law, equations, .false., state, sides)
+      call gmres%solve(system, b, x, 1e-10_dp)
+      call system%release()
+      call test%check(norm(x - kept) <= 1e-7_dp*norm(x), 'solution with kept factors')
+   end subroutine check_kept_factors
+
+   !> A disturbance of a steady state is found a cell further: pressures, contents and sets.
+   subroutine check_guess()
+      type(touching_state_t) :: moved, wanted
+
+      call make_state(is_line=.false., marches=.false., is_half=.false.)
+      moved = state
+      wanted = state
+      moved%p(10, 8) = moved%p(10, 8) + 0.2_dp
+      wanted%p(11, 8) = wanted%p(11, 8) + 0.2_dp
+      associate (at => findloc(state%is_touching(:, 12), .true., 1) - 1)   ! a node ahead of those that bear
+         moved%is_touching(at - 2, 12) = .true.
+         moved%c(at - 2, 12) = 0.3_dp
+         wanted%is_touching(at - 1, 12) = .true.
+         wanted%c(at - 1, 12) = 0.3_dp
+      end associate
+      call moved%move_on(state)
+      call test%check(maxval(abs(moved%p - wanted%p)) < 1e-12_dp, 'guess of the pressure of the oil')
+      call test%check(maxval(abs(moved%c - wanted%c)) < 1e-12_dp, 'guess of the pressure of the solids')
+      call test%check(maxval(abs(moved%theta - wanted%theta)) < 1e-12_dp, 'guess of the content')
+      call test%check(all(moved%is_touching .eqv. wanted%is_touching), 'guess of the nodes that bear')
+      call test%check(all(moved%is_cavitated .eqv. wanted%is_cavitated), 'guess of the broken film')
+   end subroutine check_guess
+
+   !> Soft solids far below the boundary film: the law, but finite.
+   subroutine check_soft_guess()
+      type(touching_law_t) :: soft
+      soft = touching_law_t(film=0.1_dp, is_soft=.true., softness=1e-3_dp, stress=0.3_dp)
+      call test%check_close(soft%first_pressure(0.098_dp), 0.3_dp*exp(2.0_dp), 'soft solids', relative=1e-12_dp)
+      call test%check(soft%first_pressure(-2.0_dp) < 1e30_dp, 'soft solids far below the boundary film')
+   end subroutine check_soft_guess
 
    !> The transposed preconditioned product and solution, about the state of the system; x and y = A x.
    subroutine check_transposed(name, x, y)

@@ -62,7 +62,7 @@ class PeriodicGradients(TestCase):
 
     def test_line(self):
         """Rolling and sliding line: load, slip, waves, oil."""
-        groups = periodic(LINE, ROELANDS, {"cells_x": 64}, 1.672)
+        groups = periodic(LINE, ROELANDS, {"cells_x": 64}, 1.672, step_tolerance=1e-7)
         result = self.check("line", groups, ["load_n_per_m", "slip_parameter", "wavelength_over_a", "amplitude_over_film"])
         self.assertGreater(result["sensitivity_solves"], 3*24)
 

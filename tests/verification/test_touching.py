@@ -176,7 +176,7 @@ class Marches(FolderTest):
 
     def test_no_wider_mesh(self):
         """A share without an error, as the march on half the cells fails: the warning has this reason."""
-        found = contact(128, 0.03, 0.25, None, WAVE | {"amplitude_m": 0.2e-6})
+        found = contact(128, 0.03, 0.1, None, WAVE | {"amplitude_m": 0.2e-6})
         self.assertIsNone(found["touching_share_error"])
         self.assertIn("the mesh twice as wide has no solution", found["warning"])
 

@@ -113,19 +113,21 @@ def jacobian(_: argparse.Namespace) -> int:
     option("--output", "DIR", "default build/touching"),
     option("--count", "N", "random marches (default 200)", 200),
     option("--films", "COUNT", "rolling contacts beside predicted mean films (default 40)", 40),
-    choices("--only", ("steady", "marches", "map", "films"), "a part (default: all)"),
+    option("--cells", "N", "cells along X and Y of the pair of maps (default 64)", 64),
+    choices("--only", ("steady", "marches", "map", "films", "pair"), "a part (default: all)"),
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
 )
 def touching(options: argparse.Namespace) -> int:
-    """Compute touching surfaces: steady states, random marches, a map, mean films.
+    """Compute touching surfaces: steady states, marches, a map, mean films, a pair of maps.
 
     steady: speeds, friction and areas of lines beside an independent solver, steady.csv. marches:
     waves, pairs of waves and maps on lines and balls, Rq over film 0.3 to 3, S 0 to 2, Newtonian
     and Ree-Eyring oils, marches.jsonl; lines and some balls on twice the cells,
     marches_finer.jsonl. map: outcomes over speed, wavelength and S, map.jsonl and map.png. films:
     marches in pure rolling, Rq over film 0.5 to 2, beside the mean films that predictions give
-    without a march, films.jsonl, films.csv and films.png. A run that is there goes on. An hour for
-    the marches on one core, minutes for the others.
+    without a march, films.jsonl, films.csv and films.png. pair: the passage of two rough
+    maps through a ball contact, its share and processor time, pair.jsonl. A run that is there goes
+    on. An hour for the marches on one core, minutes for the others.
 
     Exit status: 0 steady values are within their bounds, at least 95 % of the marches reach the
     end, all points of the map converge, and 95 % of the films are within their error; 1 otherwise;
@@ -136,6 +138,7 @@ def touching(options: argparse.Namespace) -> int:
         "marches": ("touching", "--count", str(options.count), "--record", "marches.jsonl"),
         "map": ("touching_map", "--record", "map.jsonl"),
         "films": ("touching_films", "--count", str(options.films), "--record", "films.jsonl"),
+        "pair": ("touching_pair", "--cells", str(options.cells), "--record", "pair.jsonl"),
     }
     folder = options.output or steps.ROOT / "build" / "touching"
     Writer().folder(folder)

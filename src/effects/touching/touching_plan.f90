@@ -11,9 +11,9 @@ module ehlwave_touching_plan
    implicit none (type, external)
    private
 
-   ! Cost of time steps over steps of a full film; work over plan: 0.6 to 1.7 in 9 marches of lines (192 and 384 cells),
-   ! 0.3 to 2 in 10 of balls (32 x 32 and 48 x 48 cells), least where surfaces hardly touch
-   real(dp), parameter :: line_cost = 2, cost = 4.5_dp
+   ! Cost of time steps over steps of a full film; work over plan: 0.5 to 1.4 in 5 marches of lines (192 cells), 0.4 to
+   ! 1.9 in 14 of balls (32 x 32 to 64 x 64 cells), least where surfaces hardly touch
+   real(dp), parameter :: line_cost = 2, cost = 2.7_dp
 
    type, extends(effect_plan_t), public :: touching_plan_t
       logical :: is_given = .false., is_line = .false.
@@ -77,13 +77,15 @@ contains
       else if (case%is_rough() .and. .not. case%moves() .and. minval(amplitude(case%surfaces())) <= 0) then
          call refuse('&waviness amplitude_over_film', 'takes waves at rest whose height is known: give amplitude_m')
       else if (case%effects%heat%is_given()) then
-         call refuse('&heat is given', 'is isothermal, as the heat of sliding solids is not built: remove &heat')
+         call refuse('&heat is given', 'is isothermal, as the heat of sliding solids is not built: remove &heat. '// &
+            'contact_temperature_rise_k estimates the rise of the oil by the friction of oil and solids')
       else if (case%effects%starvation%is_given() .or. case%effects%starvation%oil_profile /= '') then
          call refuse('&inlet gives less oil than fills the gap', 'balances oil from a full gap at the edge '// &
-            'of the domain on: remove oil_over_flooded, oil_layer_m and oil_profile')
+            'of the domain on: remove oil_over_flooded, oil_layer_m and oil_profile, or compute the starved film '// &
+            'without &touching: surfaces touch where minimum_film falls to film_m')
       else if (case%is_rough() .and. case%response /= 'transient') then
-         call refuse("&waviness response = '"//trim(case%response)//"'", 'is not linear, and periodic states with '// &
-            "it are not built: use response = 'transient'")
+         call refuse("&waviness response = '"//trim(case%response)//"'", 'is not linear: '// &
+            "use response = 'transient', whose march becomes periodic (&dynamics end_time for a longer one)")
       else if (case%method == 'fas' .or. case%method == 'petsc') then
          call refuse("&solver method = '"//trim(case%method)//"'", &
             "is solved by Newton's method: use 'auto' or 'newton'")
