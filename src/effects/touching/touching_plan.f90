@@ -12,7 +12,7 @@ module ehlwave_touching_plan
    private
 
    ! Cost of time steps over steps of a full film; work over plan: 0.5 to 1.4 in 5 marches of lines (192 cells), 0.4 to
-   ! 1.9 in 14 of balls (32 x 32 to 64 x 64 cells), least where surfaces hardly touch
+   ! 1.8 in 13 of balls (32 x 32 to 64 x 64 cells), least where surfaces hardly touch
    real(dp), parameter :: line_cost = 2, cost = 2.7_dp
 
    type, extends(effect_plan_t), public :: touching_plan_t
