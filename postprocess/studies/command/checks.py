@@ -118,7 +118,7 @@ def jacobian(_: argparse.Namespace) -> int:
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
 )
 def touching(options: argparse.Namespace) -> int:
-    """Compute touching surfaces: steady states, marches, a map, mean films, a pair of maps.
+    """Compute touching surfaces: steady states, marches, a map, films, two maps.
 
     steady: speeds, friction and areas of lines beside an independent solver, steady.csv. marches:
     waves, pairs of waves and maps on lines and balls, Rq over film 0.3 to 3, S 0 to 2, Newtonian
