@@ -33,6 +33,7 @@ module ehlwave_touching_state
    contains
       procedure :: run_dry
       procedure :: move_on
+      procedure, private :: keep_to_sets
    end type touching_state_t
 
    real(dp), parameter :: steepest = 60            !! largest logarithm of C/C_0 of a first guess: far beyond solutions
@@ -133,12 +134,7 @@ contains
          self%is_cavitated(1:last, j) = self%is_cavitated(:last - 1, j) .neqv. changes(steady%is_cavitated(:last, j))
       end do
       self%is_touching = self%is_touching .and. self%c > 0
-      where (.not. self%is_touching) self%c = 0
-      where (self%is_cavitated)
-         self%p = 0
-      elsewhere
-         self%theta = 1
-      end where
+      call self%keep_to_sets()
 
    contains
 
@@ -157,6 +153,17 @@ contains
       end function changes
 
    end subroutine move_on
+
+   !> C only where solids bear, P only where the gap is full.
+   pure subroutine keep_to_sets(self)
+      class(touching_state_t), intent(inout) :: self
+      where (.not. self%is_touching) self%c = 0
+      where (self%is_cavitated)
+         self%p = 0
+      elsewhere
+         self%theta = 1
+      end where
+   end subroutine keep_to_sets
 
    !> A full gap of no height, without pressure.
    function still_state(grid) result(state)
@@ -183,12 +190,7 @@ contains
       fine%theta = between(coarse%theta)
       fine%is_touching = between(merge(1.0_dp, 0.0_dp, coarse%is_touching)) > 0.9_dp
       fine%is_cavitated = between(merge(1.0_dp, 0.0_dp, coarse%is_cavitated)) > 0.9_dp
-      where (.not. fine%is_touching) fine%c = 0
-      where (fine%is_cavitated)
-         fine%p = 0
-      elsewhere
-         fine%theta = 1
-      end where
+      call fine%keep_to_sets()
       fine%delta = coarse%delta
       fine%speed = coarse%speed
 
