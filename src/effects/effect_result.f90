@@ -114,9 +114,8 @@ contains
 
    !> Add the errors by the solution of the effect to the errors of film and friction, and widen the errors of its own
    !> results.
-   subroutine add_own_errors(self, grid, result)
+   subroutine add_own_errors(self, result)
       class(effect_result_t), intent(inout) :: self
-      type(grid_t), intent(in) :: grid
       class(bare_result_t), intent(inout) :: result
    end subroutine add_own_errors
 

@@ -272,15 +272,14 @@ contains
    end function steepening
 
    !> Add the errors by the solution of the effects to the errors of film and friction, and widen their own errors.
-   subroutine add_own_errors(self, grid, result)
+   subroutine add_own_errors(self, result)
       class(effects_result_t), intent(inout), target :: self
-      type(grid_t), intent(in) :: grid
       class(bare_result_t), intent(inout) :: result
       class(effect_result_t), pointer :: one
       integer :: k
       do k = 1, effect_count
          one => self%effect(k)
-         call one%add_own_errors(grid, result)
+         call one%add_own_errors(result)
       end do
    end subroutine add_own_errors
 

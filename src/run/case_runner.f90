@@ -88,7 +88,7 @@ contains
             call result%effects%take(plan, steady%multigrid%levels, result%work)
             result%rolling = steady%rolling
             call estimate_film_errors(plan, steady%multigrid%hierarchy_t, case%tolerance, result)
-            call result%effects%add_own_errors(level%problem%grid, result%bare_result_t)
+            call result%effects%add_own_errors(result%bare_result_t)
             call add_warning(result, result%effects%warning(case, plan, level%problem%grid))
             if (case%sensitivities) call find_smooth_sensitivities(case, plan, steady, result)
             if (plan%responds) call run_responses(case, plan, steady, result)

@@ -98,7 +98,7 @@ contains
       do l = 2, size(levels)
          if (levels(l)%has_film()) values(l) = friction_at(levels(l)%problem, levels(l)%state)
       end do
-      ! of first order, since spikes go on growing
+      ! first order, since spikes go on growing
       error = mesh_error(friction, kind_of(plan%is_fitted, plan%conditions%is_line()), values, &
                          expected + spike_growth(levels(1), values(1)), 1.0_dp)
       result%friction_error = error%relative

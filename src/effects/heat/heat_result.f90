@@ -129,9 +129,8 @@ contains
       if (self%is_warm()) steepening = max(0.0_dp, self%account%isothermal_film/film - 1)
    end function steepening
 
-   subroutine add_own_errors(self, grid, result)
+   subroutine add_own_errors(self, result)
       class(heat_result_t), intent(inout) :: self
-      type(grid_t), intent(in) :: grid
       class(bare_result_t), intent(inout) :: result
       result%friction_error = result%friction_error + self%account%settling*result%shear%cancellation &
                               + self%account%levels_error

@@ -124,9 +124,8 @@ contains
    end function edge_error
 
    !> Least error of R: a share of the film error, since grids can agree by chance.
-   subroutine add_own_errors(self, grid, result)
+   subroutine add_own_errors(self, result)
       class(starvation_result_t), intent(inout) :: self
-      type(grid_t), intent(in) :: grid
       class(bare_result_t), intent(inout) :: result
       if (ieee_is_finite(self%film_over_flooded_error)) &
          self%film_over_flooded_error = max(self%film_over_flooded_error, &

@@ -99,7 +99,7 @@ def elements_of(
     Parameters
     ----------
     kind : {"ball", "roller"}
-        Of the elements.
+        Name of an element.
     diameter, pitch, number_of, place
         As given, and the name of the bearing, for messages.
     """

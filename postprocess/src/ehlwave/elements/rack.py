@@ -32,7 +32,7 @@ def involute_start_m(
 
     Examples
     --------
-    Module 1, 17 and 12 teeth; 12 teeth have undercut flanks:
+    Module 1, 18 and 12 teeth; 12 teeth have undercut flanks:
 
     >>> import math
     >>> from ehlwave.elements.rack import involute_start_m
