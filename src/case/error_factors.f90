@@ -27,6 +27,6 @@ module ehlwave_error_factors
    !> By the edges of a flooded domain: (quantity), times the error of `ehlwave_domain_choice`;
    !> friction and rolling: times the part by the oil outside.
    real(dp), parameter, public :: by_domain(5) = [ &
-      3.00_dp, 2.61_dp, 0.448_dp, 0.0513_dp, 1.91_dp]
+      3.00_dp, 2.61_dp, 0.448_dp, 0.0513_dp, 2.30_dp]
 
 end module ehlwave_error_factors
