@@ -126,7 +126,7 @@ def test_elliptic_integrals(kappa: float) -> None:
 
 
 def test_derivatives_are_not_lost() -> None:
-    """What would drop them is refused; messages, choices and copies take the value."""
+    """Conversions that would drop them are refused; messages, choices and copies take the value."""
     one = Dual(0.5, numpy.array([1.0]))
     for lose in (float, numpy.asarray, numpy.array, plain_math.exp, complex, int):
         with pytest.raises(TypeError):
