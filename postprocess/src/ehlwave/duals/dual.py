@@ -123,9 +123,10 @@ class Dual(NDArrayOperatorsMixin):
             return NotImplemented
         found, total = ufunc(*values), 0.0
         values = [np.asarray(one) for one in values]
-        for k, one in enumerate(given):
-            if isinstance(one, Dual):
-                total = total + PARTIALS[ufunc](k, found, values, spread(one, np.ndim(found)))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            for k, one in enumerate(given):
+                if isinstance(one, Dual):
+                    total = total + PARTIALS[ufunc](k, found, values, spread(one, np.ndim(found)))
         shape = (len(total), *np.shape(found))
         return Dual(found, total if total.shape == shape else np.broadcast_to(total, shape))
 

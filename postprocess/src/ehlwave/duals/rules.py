@@ -38,16 +38,15 @@ POSITIONS: dict[Callable[..., Any], tuple[int, ...]] = {
 
 def _kept(slope: Any, partial: Any) -> Any:  # noqa: ANN401
     """Return their product; 0 where the argument does not change, whatever the derivative is."""
-    with np.errstate(invalid="ignore"):
-        return np.where(slope == 0, 0.0, slope * partial)
+    found = slope * partial
+    return found if np.isfinite(found).all() else np.where(slope == 0, 0.0, found)
 
 
 def _of_one(derivative: Callable[[Any, Any], Any]) -> Callable[..., Any]:
     """Return the rule of a function by its derivative, of its value and argument."""
 
     def rule(_: int, found: Any, given: Sequence[Any], slope: Any) -> Any:  # noqa: ANN401
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return _kept(slope, derivative(found, given[0]))
+        return _kept(slope, derivative(found, given[0]))
 
     return rule
 
@@ -56,8 +55,7 @@ def _of_two(*partials: Callable[[Any, Any, Any], Any]) -> Callable[..., Any]:
     """Return the rule of a function by its two partial derivatives, of its value and arguments."""
 
     def rule(k: int, found: Any, given: Sequence[Any], slope: Any) -> Any:  # noqa: ANN401
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return _kept(slope, partials[k](found, *given))
+        return _kept(slope, partials[k](found, *given))
 
     return rule
 
@@ -66,8 +64,7 @@ def _absolute(_: int, found: Any, given: Sequence[Any], slope: Any) -> Any:  # n
     one = given[0]
     if not np.iscomplexobj(one):
         return slope * np.sign(one)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(found == 0, 0.0, (np.conj(one) * slope).real / found)
+    return np.where(found == 0, 0.0, (np.conj(one) * slope).real / found)
 
 
 def _first_kind(found: Any, m: Any) -> Any:  # noqa: ANN401
