@@ -75,17 +75,12 @@ def rises() -> Found:
 
 def heat() -> Found:
     """Return errors of friction: 95 % of contacts held out are within."""
-    laws = pd.read_csv(RECORD / "heat/laws.csv").set_index("law")
+    warm = pd.read_csv(RECORD / "heat/laws.csv").set_index("law").loc["friction"]
     light = pd.read_csv(RECORD / "heat/ends_law.csv").iloc[0]
     return {
-        "heat.friction": _of_logarithms(laws.loc["friction"]),
-        "heat.friction_cold": _of_logarithms(laws.loc["friction without heat"]),
+        "heat.friction": (math.expm1(warm["within_95"]), int(warm["contacts"])),
         "light_lines.friction": (light["within_95"], int(light["contacts"])),
     }
-
-
-def _of_logarithms(row: pd.Series) -> tuple[float, int]:
-    return math.expm1(row["within_95"]), int(row["contacts"])
 
 
 def two_waves() -> Found:

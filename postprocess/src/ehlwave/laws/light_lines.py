@@ -8,9 +8,9 @@ coefficients and errors, contacts held out, are in ``postprocess/record/heat/end
 
 from typing import NamedTuple
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ehlwave.duals import np
 from ehlwave.error_bars import bar
 
 Floats = NDArray[np.float64]
