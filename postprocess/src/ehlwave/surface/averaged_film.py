@@ -17,8 +17,6 @@ give the rise of every component to second order, with elastic deformation in th
 chosen so that both agree. The film is hardly sensitive to H_b, as crests lift it.
 """
 
-import numpy as np
-
 from ehlwave.duals import Dual, np, root, to_float, valued
 from ehlwave.error_bars import bar
 from ehlwave.surface.surface import Heights
