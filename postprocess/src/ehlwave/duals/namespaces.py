@@ -148,9 +148,9 @@ def _geomspace(low: Any, high: Any, count: int) -> Any:  # noqa: ANN401
     return Dual(found, high.slopes[:, None] / high.value * share * found)
 
 
-def _std(given: Any, axis: Any = None, **options: Any) -> Any:  # noqa: ANN401
-    found = numpy.std(valued(given), axis=axis, **options)
-    if not isinstance(given, Dual) or axis is not None:  # along an axis: of errors
+def _std(given: Any, **options: Any) -> Any:  # noqa: ANN401 - a Dual as a whole
+    found = numpy.std(valued(given), **options)
+    if not isinstance(given, Dual):
         return found
     about = given.value - numpy.mean(given.value)
     return Dual(found, numpy.stack([(about * one).mean() for one in given.slopes]) / found)
