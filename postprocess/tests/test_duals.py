@@ -83,6 +83,7 @@ def test_rules(ufunc: numpy.ufunc) -> None:
         lambda a, b: abs((a + 1j * b) * numpy.exp(1j)),
         lambda a, b: (np.exp(1j * a) / (b + 2j)).imag,
         lambda a, b: np.broadcast_arrays(a[0], b)[0].reshape(2, 3),
+        lambda a, b: a.max() * b.min() * np.std(a),
         lambda a, b: np.diff(np.cumsum(np.outer(a[:, 0], B[0]), axis=0), axis=0) * b[0, 1],
     ],
 )

@@ -5,6 +5,8 @@ import math
 import random
 from typing import Any
 
+import numpy as np
+import pint
 import pytest
 from contact import SLIDING_ELLIPSE
 from long_tests import IS_LONG
@@ -34,6 +36,14 @@ def test_speed_and_viscosity_are_one() -> None:
     """Films depend on the product of speed and viscosity alone."""
     film = ehlwave.Contact(**SLIDING_ELLIPSE).sensitivities("laws").central_film
     assert film["mean_speed_m_per_s"] == pytest.approx(film["viscosity_pa_s"], abs=1e-8)
+
+
+def test_units() -> None:
+    """Values with units have the derivatives of their numbers in SI."""
+    unit = pint.UnitRegistry()
+    given = {**SLIDING_ELLIPSE, "load_n": SLIDING_ELLIPSE["load_n"] / 1e3 * unit.kilonewton}
+    plain = ehlwave.Contact(**SLIDING_ELLIPSE).sensitivities("laws")
+    assert np.allclose(ehlwave.Contact(**given).sensitivities("laws"), plain, rtol=1e-9)
 
 
 def test_every_key_has_a_row() -> None:

@@ -84,7 +84,9 @@ class Dual(NDArrayOperatorsMixin):
             return lambda *args: Dual(
                 *(getattr(np.asarray(one), name)(*args) for one in (self.value, self.slopes))
             )
-        if name in ("any", "all", "max", "min"):
+        if name in ("max", "min"):
+            return lambda: self.ravel()[int(getattr(np, f"arg{name}")(self.value))]
+        if name in ("any", "all"):
             return getattr(np.asarray(self.value), name)
         raise AttributeError(name)
 

@@ -8,7 +8,6 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy
-import numpy.polynomial
 import scipy
 
 from ehlwave.duals.dual import Dual, count_of, linear, part_of, valued
@@ -148,9 +147,9 @@ def _geomspace(low: Any, high: Any, count: int) -> Any:  # noqa: ANN401
     return Dual(found, high.slopes[:, None] / high.value * share * found)
 
 
-def _std(given: Any, axis: Any = None, **options: Any) -> Any:  # noqa: ANN401
-    found = numpy.std(valued(given), axis=axis, **options)
-    if not isinstance(given, Dual) or axis is not None:  # along an axis: of errors
+def _std(given: Any, **options: Any) -> Any:  # noqa: ANN401 - a Dual as a whole
+    found = numpy.std(valued(given), **options)
+    if not isinstance(given, Dual):
         return found
     about = given.value - numpy.mean(given.value)
     return Dual(found, numpy.stack([(about * one).mean() for one in given.slopes]) / found)
@@ -170,10 +169,14 @@ if TYPE_CHECKING:
 
     import numpy as np
 else:
-    np = SimpleNamespace(
+
+    class _Numpy(SimpleNamespace):
+        def __getattr__(self, name: str) -> Any:  # noqa: ANN401 - modules that numpy loads late
+            return getattr(numpy, name)
+
+    np = _Numpy(
         **vars(numpy)
         | {
-            "polynomial": numpy.polynomial,
             "asarray": _asarray,
             "array": _array,
             "vectorize": _vectorize,

@@ -12,6 +12,7 @@ from ehlwave.contact.data_errors import DATA_ERRORS, OF_ERRORS
 from ehlwave.duals import Dual, log_slopes, seeded
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.inputs.key_classes import HEAT_DATA
+from ehlwave.quantities import number
 
 if TYPE_CHECKING:
     from ehlwave.laws.answers import Film
@@ -101,7 +102,8 @@ def given_errors(contact: "SmoothContact") -> dict[str, float]:
 def _keys(contact: "SmoothContact") -> dict[str, float]:
     """Return the numbers that the results depend on; those of pure rolling without their slip."""
     given = {**DEFAULTS, **contact._keys}
-    found = {key: float(given[key]) for key in KEYS if key in given and float(given[key])}
+    found = {key: number(given[key], key) for key in KEYS if key in given}
+    found = {key: value for key, value in found.items() if value}
     if str(given.get("viscosity_law", "roelands")) != "roelands":
         found.pop("roelands_index", None)
     return found
