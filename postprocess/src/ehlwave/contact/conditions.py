@@ -3,7 +3,6 @@
 Equation numbers refer to ``src/theory.md``.
 """
 
-import math
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -24,6 +23,7 @@ from ehlwave.contact.scales import (
 )
 from ehlwave.contact.starvation import FILM_BAR
 from ehlwave.contact.thinning import NEARLY_NEWTONIAN, film_loss, stresses_in_inlet
+from ehlwave.duals import math, to_float
 
 MOES_KEYS = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
 
@@ -121,13 +121,13 @@ class Conditions:
     @property
     def v_per_wavelength(self) -> float:
         """V = (lambda/a)(gamma M/L)^(1/2) for a wavelength of 1 m, eq. (17), 1/m."""
-        return float(v(1 / self.semi_axis_a_m, self.m, self.l, self.gamma))
+        return to_float(v(1 / self.semi_axis_a_m, self.m, self.l, self.gamma))
 
     @property
     def alphabar(self) -> float:
         """Return alpha ph, eq. (3)."""
         if self.is_line:
-            return float(line_alphabar(self.m, self.l))
+            return to_float(line_alphabar(self.m, self.l))
         return alphabar(self.m, self.l, self.gamma)
 
     @property

@@ -5,7 +5,6 @@ The laws come from ``scripts/study starvation``, in pure rolling, with Roelands'
 Dowson and Higginson's density.
 """
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.formula import (
@@ -14,6 +13,7 @@ from ehlwave.contact.formula import (
     recommended_sharpness,
     wave_and_direction,
 )
+from ehlwave.duals import np, to_float
 from ehlwave.errors import RangeError
 
 Floats = NDArray[np.float64]
@@ -214,7 +214,7 @@ def _checked(
         array = np.asarray(value, dtype=np.float64)
         low, high = ranges[name]
         if not np.all((array >= low) & (array <= high)):
-            said = f" = {float(array):.4g}" if array.ndim == 0 else ""
+            said = f" = {to_float(array):.4g}" if array.ndim == 0 else ""
             words = "oil_over_flooded, r" if name == "r" else name
             raise RangeError(
                 f"{words}{said} is outside {low:g} to {high:g}, the range of the law of starved "

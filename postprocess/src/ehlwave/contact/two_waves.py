@@ -26,12 +26,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.formula import wave_and_direction
 from ehlwave.contact.medium import INLET_VISCOSITY, Medium
 from ehlwave.contact.rolling import rolling_transfer
+from ehlwave.duals import np
 from ehlwave.errors import ArgumentError
 
 Complex = NDArray[np.complex128]

@@ -5,15 +5,13 @@ slight, B is about 1: friction goes as the mean of the viscosity, to which the p
 the ends of the contact contribute, not as the mean of its logarithm.
 """
 
-import math
-
-import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ellipe
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.medium import hertz_medium
 from ehlwave.contact.scales import first_integral, integral_combinations, moes_per_film
+from ehlwave.duals import math, np, to_float
 
 Floats = NDArray[np.float64]
 
@@ -72,7 +70,7 @@ def friction_outside(
     film = central_moes / moes_per_film(c.m, c.kappa)
     state = c.oil, c.kappa, c.alphabar, c.lambdabar, film, c.slip_parameter
     thinning = hertz_medium(*state).thinning
-    second = 1.0 if c.is_line else float(ellipe(1 - c.kappa**2))
+    second = 1.0 if c.is_line else to_float(ellipe(1 - c.kappa**2))
     radius_over_a = (1 + c.d) * modulus_pa / (4 * second * c.hertz_pa)
     farthest = max(FEWEST_DOMAINS, radius_over_a / DOMAIN_X)
     edges = np.geomspace(1, farthest, STEPS + 1)
@@ -87,7 +85,7 @@ def friction_outside(
         far = _far_film(c.kappa, end * times * along, end * times * across)
         area = end**2 * times * widths / ANGLES
     sheared = np.arcsinh(thinning * film / (film + far))
-    return WITH_DOWNSTREAM * float((sheared * area).sum()) / stress
+    return WITH_DOWNSTREAM * to_float((sheared * area).sum()) / stress
 
 
 def _far_line_film(x: Floats) -> Floats:

@@ -8,8 +8,9 @@ coefficients and errors, contacts held out, are in ``postprocess/record/heat/end
 
 from typing import NamedTuple
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from ehlwave.duals import np
 
 Floats = NDArray[np.float64]
 

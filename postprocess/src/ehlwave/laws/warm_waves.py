@@ -19,12 +19,12 @@ from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import files
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.heat_data import Heat
+from ehlwave.duals import np, to_float
 from ehlwave.errors import RangeError
 from ehlwave.laws.answers import Film
 from ehlwave.laws.transfer import OfTwo, Transfer, Waves
@@ -59,7 +59,7 @@ def fitted() -> Mapping[str, Sequence[float]]:
 def thinner(conditions: Conditions, film_factor: float) -> Conditions:
     """Return isothermal conditions whose film is so many times as thick, by their viscosity."""
     given = dict(conditions.given)
-    given["viscosity_pa_s"] = float(given["viscosity_pa_s"]) * film_factor ** (1 / FILM_POWER)
+    given["viscosity_pa_s"] = to_float(given["viscosity_pa_s"]) * film_factor ** (1 / FILM_POWER)
     found = conditions_from_keys(given, needs_lengths=False)
     return replace(found, slip_parameter=conditions.slip_parameter)
 
@@ -112,7 +112,7 @@ def warmth_of(film: Film, heat: Heat, slip: float) -> float:
             "responses under slip with heat need a Ree-Eyring oil (eyring_stress_pa), or compute "
             "the contact with ehlwave-case, &heat wave_temperatures = 'carried'"
         )
-    return float(heat.viscosity_temperature_per_k * rise)
+    return to_float(heat.viscosity_temperature_per_k * rise)
 
 
 @dataclass(frozen=True)
