@@ -8,7 +8,6 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
 import numpy
-import numpy.polynomial
 import scipy
 
 from ehlwave.duals.dual import Dual, count_of, linear, part_of, valued
@@ -170,10 +169,14 @@ if TYPE_CHECKING:
 
     import numpy as np
 else:
-    np = SimpleNamespace(
+
+    class _Numpy(SimpleNamespace):
+        def __getattr__(self, name: str) -> Any:  # noqa: ANN401 - modules that numpy loads late
+            return getattr(numpy, name)
+
+    np = _Numpy(
         **vars(numpy)
         | {
-            "polynomial": numpy.polynomial,
             "asarray": _asarray,
             "array": _array,
             "vectorize": _vectorize,
