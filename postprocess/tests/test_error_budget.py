@@ -1,6 +1,7 @@
 """Errors of data in film, friction and lambda ratio, against random draws of the data."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -8,8 +9,8 @@ import pytest
 from contact import SLIDING_ELLIPSE
 
 import ehlwave
-from ehlwave.errors import SurfaceError
-from ehlwave.surface import trace_surface
+from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.surface import Surface, trace_surface
 from studies import budget
 
 ERRORS = {
@@ -47,23 +48,63 @@ def test_budget_is_the_spread_of_random_draws() -> None:
     assert table.index[0] == "pressure_viscosity_per_pa"
 
 
-def test_lambda_ratio() -> None:
-    """A long wave is flattened no more than a short one: lambda follows film and surface."""
-    x = np.arange(0, 2e-3, 2e-6)
-    trace = trace_surface(50e-9 * np.cos(2 * np.pi * x / 1e-4), step_m=2e-6, axis="x", name="w")
-    rolling = {
-        k: v
-        for k, v in SLIDING_ELLIPSE.items()
-        if k not in ("eyring_stress_pa", "slide_to_roll_ratio")
-    }
+ROLLING = {
+    k: v for k, v in SLIDING_ELLIPSE.items() if k not in ("eyring_stress_pa", "slide_to_roll_ratio")
+}
+
+
+def waves(height_m: float, shorter_m: float = 3.1e-5) -> Surface:
+    x = np.arange(0, 2e-3, 7e-7)
+    height = np.cos(2 * np.pi * x / 1.03e-4) + 0.5 * np.cos(2 * np.pi * x / shorter_m)
+    return trace_surface(height_m * height, step_m=7e-7, axis="x", name="w")
+
+
+@pytest.mark.parametrize(
+    ("keys", "surface", "options", "within"),
+    [
+        (ROLLING, waves(50e-9), {}, 1e-6),
+        (ROLLING, waves(50e-9), {"ends": "taper", "form": "none"}, 1e-6),
+        (ROLLING, waves(50e-9), {"second": waves(80e-9)}, 1e-6),
+        (ROLLING, waves(300e-9, 7.1e-5), {}, 3e-3),  # averaged flow: by a table of heights
+        (ROLLING, "map", {"step": 3e-6, "step_across": 4e-6}, 1e-5),
+        (ROLLING | {"oil_over_flooded": 0.8}, waves(50e-9), {}, 1e-6),
+        (ROLLING | {"slip_parameter": 1.2}, waves(50e-9), {}, 1e-5),
+        (SLIDING_ELLIPSE, waves(50e-9), {"second": waves(30e-9)}, 1e-5),
+    ],
+    ids=["trace", "taper", "pair", "averaged", "map", "starved", "two-waves", "sliding"],
+)
+def test_lambda_ratio(
+    keys: dict[str, Any],
+    surface: Any,  # noqa: ANN401
+    options: dict[str, Any],
+    within: float,
+) -> None:
+    """Powers of the lambda ratio equal differences of predictions."""
+    if surface == "map":
+        surface = 60e-9 * np.random.default_rng(0).standard_normal((40, 30))
     errors = {"load_error": 0.1, "viscosity_error": 0.1}
-    contact = ehlwave.Contact(**rolling, **errors)
-    table = contact.error_budget(trace, by="laws")
-    up, down = (
-        contact.replace(viscosity_pa_s=0.05 * factor).lambda_ratio(trace) for factor in (1.05, 0.95)
-    )
-    power = math.log(up / down) / math.log(1.05 / 0.95)
-    assert table.lambda_ratio["viscosity_pa_s"] == pytest.approx(0.1 * abs(power), rel=0.02)
+    table = ehlwave.Contact(**keys, **errors).error_budget(surface, by="laws", **options)
+    step = 3e-3 if within > 1e-4 else 1e-3
+    for key in ("load_n", "viscosity_pa_s"):
+        up, down = (
+            ehlwave.Contact(**{**keys, key: keys[key] * math.exp(change)}).lambda_ratio(
+                surface, by="laws", **options
+            )
+            for change in (step, -step)
+        )
+        power = math.log(up / down) / (2 * step)
+        assert table.lambda_ratio[key] / 0.1 == pytest.approx(abs(power), abs=within), key
+
+
+def test_lambda_ratio_is_by_the_laws() -> None:
+    """Computed responses are not differentiated."""
+    heavy = {**SLIDING_ELLIPSE, "load_n": 2e4, "central_film_m": 2e-7}
+    slides = ehlwave.Contact(**heavy, load_error=0.1)
+    with pytest.raises(RangeError, match=r"by the laws alone; leave the surface out.*The laws"):
+        slides.error_budget(waves(50e-9), by="laws")
+    contact = ehlwave.Contact(**ROLLING, load_error=0.1)
+    with pytest.raises(RangeError, match="neither transfer nor a table"):
+        contact.error_budget(waves(50e-9), by="laws", transfer=contact.transfer("paper"))
 
 
 def test_budget_of_a_data_sheet() -> None:

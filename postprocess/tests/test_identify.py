@@ -139,6 +139,8 @@ def test_tables_that_are_refused(table: dict[str, list[float]], words: str) -> N
         ("mean_speed_m_per_s,central_film_um\n1,0.3,5\n", "more cells than the heading"),
         ("mean_speed_m_per_s,central_film_um\n1,300\n", "at most 0.0001: check its unit"),
         ("slide_to_roll_ratio,friction_coefficient\n0.1,5\n", "at most 1: check its unit"),
+        ("mean_speed_m_per_s,central_film_um\n1,inf\n2,0.5\n", "no numbers"),
+        ("temperature_c,central_film_um\n-300,0.3\n", "below absolute zero"),
     ],
 )
 def test_files_that_are_refused(tmp_path: Path, text: str, words: str) -> None:
@@ -199,7 +201,52 @@ def test_headings_of_rigs(tmp_path: Path) -> None:
     assert traction.conditions[0] == pytest.approx(expected)
 
 
+def test_values_without_what_they_need() -> None:
+    speed = {"mean_speed_m_per_s": [1.0, 2.0]}
+    table = pd.DataFrame(speed | {"harmonic_ratio": [0.8, 0.7]})
+    with pytest.raises(ArgumentError, match=r"value 1, harmonic_ratio: give its wavelength_over_a"):
+        identify(table, BALL, ["alpha"])
+    table = pd.DataFrame(speed | {"central_film_um": [0.3, 0.5], "central_film_error": [0.02, 5]})
+    with pytest.raises(ArgumentError, match="outside 0 to 1: give relative standard errors"):
+        identify(table, BALL, ["alpha"])
+
+
+def test_equal_values(recwarn: pytest.WarningsRecorder) -> None:
+    """A fit without residuals has no error by them, and no warning of a division by zero."""
+    table = pd.DataFrame({"mean_speed_m_per_s": [1.0] * 3, "central_film_um": [0.3] * 3})
+    (alpha,) = identify(table, BALL, ["alpha"], by="laws").parameters
+    assert alpha.error == pytest.approx(0, abs=1e-6)
+    assert not [one for one in recwarn if "divide" in str(one.message)]
+
+
+def test_encodings(tmp_path: Path) -> None:
+    """Tables of rigs in the encodings of Windows programs."""
+    text = "Temperature (\N{DEGREE SIGN}C)\tFilm thickness (nm)\n60\t213\n"
+    for encoding in ("cp1252", "utf-8", "utf-8-sig", "utf-16"):
+        (tmp_path / "film.csv").write_text(text, encoding=encoding)
+        assert read_measurements(tmp_path / "film.csv").value == pytest.approx([213e-9])
+
+
 def test_more_parameters_than_values() -> None:
     table = pd.DataFrame({"mean_speed_m_per_s": [1.0], "central_film_um": [0.3]})
     with pytest.raises(ArgumentError, match="do not determine 2 parameters"):
         identify(table, BALL, ["alpha", "viscosity"])
+
+
+@pytest.mark.parametrize("by", [None, "laws"])
+def test_a_fit_that_leaves_the_range_of_the_laws(by: str | None) -> None:
+    """Three films know one combination of two parameters: the fit ends at the edge of the atlas."""
+    table = pd.DataFrame(
+        {"mean_speed_m_per_s": [0.5, 1, 2], "central_film_um": [0.213, 0.338, 0.535]}
+    )
+    words = r"at pressure_viscosity_per_pa = 1e-08, viscosity_pa_s = .*: measured value 1, central"
+    with pytest.raises(ArgumentError, match=words):
+        identify(table, BALL, ["alpha", "viscosity"], by=by)
+
+
+def test_a_fit_that_passes_an_edge_finds_its_minimum() -> None:
+    """The first steps from far away lead outside the atlas; the fit returns."""
+    table = films(6)
+    found = identify(table, BALL | {"pressure_viscosity_per_pa": 2.95e-8}, ["alpha"], by="laws")
+    usual = identify(table, FAR, ["alpha"], by="laws")
+    assert found.parameters[0].value == pytest.approx(usual.parameters[0].value, rel=1e-5)

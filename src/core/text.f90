@@ -1,9 +1,11 @@
 !> Small conversions between numbers and text.
 module ehlwave_text
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int
    use ehlwave_kinds, only: dp, i8
    implicit none (type, external)
    private
-   public :: count_lines, harmless, lower_case, next_line, number_of, shown, to_text
+   public :: count_lines, fewest_figures, harmless, lower_case, next_line, number_of, put, shown, to_text
 
    integer, parameter :: most_shown = 60   ! characters of a text from outside that a message repeats
 
@@ -11,6 +13,23 @@ module ehlwave_text
    interface to_text
       module procedure :: integer_text, long_text, real_text, logical_text
    end interface to_text
+
+   interface
+      pure subroutine c_figures(value, digits, figures, exponent) bind(c, name='ehlwave_figures')
+         import :: c_char, c_double, c_int
+         implicit none (type, external)
+         real(c_double), value :: value
+         integer(c_int), value :: digits
+         character(kind=c_char), intent(inout) :: figures(*)
+         integer(c_int), intent(out) :: exponent
+      end subroutine c_figures
+      !> How many significant digits, 15 to 17, read back as the same number.
+      pure integer(c_int) function fewest_figures(value) bind(c, name='ehlwave_fewest_figures')
+         import :: c_double, c_int
+         implicit none (type, external)
+         real(c_double), value :: value
+      end function fewest_figures
+   end interface
 
 contains
 
@@ -42,31 +61,18 @@ contains
       real(dp), intent(in) :: value
       integer, intent(in), optional :: digits
       character(len=:), allocatable :: text
-      character(len=40) :: buffer, figures
-      character(len=1) :: sign
-      integer :: e, exponent, first, i, kept, n
+      character(len=40) :: figures
+      integer :: exponent, kept, n
 
-      n = 17
-      if (present(digits)) n = digits
-      if (n == 17) then
-         write (buffer, '(es26.16e3)') value
-      else
-         write (buffer, '(es'//long_text(int(n + 9, i8))//'.'//long_text(int(n - 1, i8))//'e3)') value
-      end if
-      buffer = adjustl(buffer)
-      e = index(buffer, 'E')
-      if (e == 0) then                       ! NaN or infinity
-         text = trim(buffer)
+      if (.not. ieee_is_finite(value)) then
+         write (figures, '(es26.16e3)') value
+         text = trim(adjustl(figures))
          return
       end if
-      sign = buffer(1:1)
-      first = merge(2, 1, sign == '-')
-      figures = buffer(first:first)//buffer(first + 2:e - 1)
-      exponent = 0
-      do i = e + 2, len_trim(buffer)
-         exponent = 10*exponent + iachar(buffer(i:i)) - iachar('0')
-      end do
-      if (buffer(e + 1:e + 1) == '-') exponent = -exponent
+      n = 17
+      if (present(digits)) n = digits
+      figures = ''
+      call c_figures(value, n, figures, exponent)
       kept = max(1, verify(figures, '0 ', back=.true.))
       if (exponent >= -4 .and. exponent < 0) then
          text = '0.'//repeat('0', -exponent - 1)//figures(:kept)
@@ -78,7 +84,7 @@ contains
          if (kept > 1) text = text//'.'//figures(2:kept)
          text = text//'e'//integer_text(exponent)
       end if
-      if (sign == '-') text = '-'//text
+      if (sign(1.0_dp, value) < 0) text = '-'//text
    end function real_text
 
    pure function logical_text(value) result(text)
@@ -87,6 +93,21 @@ contains
       text = merge('true ', 'false', value)
       text = trim(text)
    end function logical_text
+
+   !> Append to text(:used). The rest of the text is room for more, so that many pieces are not copied again and again.
+   pure subroutine put(text, used, piece)
+      character(len=:), allocatable, intent(inout) :: text
+      integer, intent(inout) :: used
+      character(len=*), intent(in) :: piece
+      character(len=:), allocatable :: more
+      if (used + len(piece) > len(text)) then
+         allocate (character(len=2*(used + len(piece))) :: more)
+         more(:used) = text(:used)
+         call move_alloc(more, text)
+      end if
+      text(used + 1:used + len(piece)) = piece
+      used = used + len(piece)
+   end subroutine put
 
    !> Whether a text has one more line, which is text(first:last) without its end. Begin with last = -1.
    logical function next_line(text, first, last)

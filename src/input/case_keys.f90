@@ -16,7 +16,7 @@ module ehlwave_case_keys
    use ehlwave_threads, only: most_threads
    implicit none (type, external)
    private
-   public :: case_key_list, case_values, take_values
+   public :: case_key_list, case_values, default_values, take_values
 
    character(len=*), parameter :: elliptical = 'elliptical contacts (radius_ratio_d above 0), not to line contacts'
    character(len=*), parameter :: time_steps = 'marches in time (waves or a surface that move, or &dynamics end_time)'
@@ -33,12 +33,20 @@ contains
       call visit_case_keys(copy, list)
    end function case_key_list
 
+   !> Defaults of all keys, without the keys. Made at the first call, which threads must not share.
+   function default_values() result(list)
+      type(key_list_t), pointer :: list
+      type(key_list_t), save, target :: defaults
+      if (.not. allocated(defaults%values)) defaults = case_values(case_t())
+      list => defaults
+   end function default_values
+
    !> Values without the keys, for callers that need only values.
    function case_values(case) result(list)
-      type(case_t), intent(in), optional :: case
+      type(case_t), intent(in) :: case
       type(key_list_t) :: list
       type(case_t) :: copy
-      if (present(case)) copy = case
+      copy = case
       list%has_keys = .false.
       call visit_case_keys(copy, list)
    end function case_values

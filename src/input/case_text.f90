@@ -2,10 +2,11 @@
 module ehlwave_case_text
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: is_same, value_text
-   use ehlwave_case_keys, only: case_key_list, case_values
+   use ehlwave_case_keys, only: case_key_list, default_values
    use ehlwave_identity_index, only: text_identity
    use ehlwave_key_bounds, only: is_allowed
    use ehlwave_key_list, only: key_list_t
+   use ehlwave_text, only: put
    implicit none (type, external)
    private
    public :: case_identity, effective_input, input_identity, input_text
@@ -17,28 +18,25 @@ module ehlwave_case_text
 contains
 
    !> A case file with every key that applies and the value in use: running it gives the same result.
-   function effective_input(case, defaults) result(text)
+   function effective_input(case) result(text)
       type(case_t), intent(in) :: case   !! completed
-      type(key_list_t), intent(in), optional :: defaults   !! the keys with their defaults, where they are at hand
       character(len=:), allocatable :: text
-      if (present(defaults)) then
-         text = input_text(case_key_list(case), defaults)
-      else
-         text = input_text(case_key_list(case), case_values())
-      end if
+      text = input_text(case_key_list(case))
    end function effective_input
 
    !> The keys of a case, group by group. Left out are keys that do not apply, that mean none (a value outside the
    !> bounds, an empty text), or that were added later and are not used.
-   function input_text(list, defaults) result(text)
-      type(key_list_t), intent(in) :: list
-      type(key_list_t), intent(in) :: defaults     !! the keys with their defaults
+   function input_text(list) result(text)
+      type(key_list_t), intent(in) :: list         !! of a completed case
       character(len=:), allocatable :: text
+      type(key_list_t), pointer :: defaults
       character(len=*), parameter :: line_end = new_line('a')
       character(len=:), allocatable :: group       ! group of the text
-      integer :: k
+      integer :: k, n
 
+      defaults => default_values()
       text = ''
+      n = 0
       group = ''
       do k = 1, list%count
          associate (key => list%keys(k), value => list%values(k))
@@ -47,22 +45,21 @@ contains
                if (is_same(value, defaults%values(k))) cycle
             end if
             if (group /= key%group) then
-               if (group /= '') text = text//'/'//line_end
+               if (group /= '') call put(text, n, '/'//line_end)
                group = trim(key%group)
-               text = text//'&'//group//line_end
+               call put(text, n, '&'//group//line_end)
             end if
-            text = text//'  '//trim(key%name)//' = '//value_text(value)//line_end
+            call put(text, n, '  '//trim(key%name)//' = '//value_text(value)//line_end)
          end associate
       end do
-      text = text//'/'//line_end
+      text = text(:n)//'/'//line_end
    end function input_text
 
    !> Identity of a case: the identity of its effective input.
-   function case_identity(case, defaults) result(identity)
+   function case_identity(case) result(identity)
       type(case_t), intent(in) :: case
-      type(key_list_t), intent(in), optional :: defaults
       character(len=16) :: identity
-      identity = input_identity(effective_input(case, defaults))
+      identity = input_identity(effective_input(case))
    end function case_identity
 
    !> Identity of an effective input: 16 hexadecimal digits, the 64-bit FNV-1a hash of it, without lines that were

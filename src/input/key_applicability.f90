@@ -3,7 +3,7 @@ module ehlwave_key_applicability
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: is_same, value_text
-   use ehlwave_case_keys, only: case_key_list, case_values
+   use ehlwave_case_keys, only: case_key_list, default_values
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: bounds_text, is_allowed, is_none
    use ehlwave_key_list, only: key_list_t
@@ -32,11 +32,11 @@ contains
       type(case_input_t), intent(inout) :: input
       type(key_list_t), intent(in) :: given        !! keys of the case
       type(error_t), allocatable, intent(inout) :: error
-      type(key_list_t) :: defaults
+      type(key_list_t), pointer :: defaults
       character(len=:), allocatable :: idle
       integer :: k
 
-      defaults = case_values()
+      defaults => default_values()
       idle = ''
       do k = 1, given%count
          associate (key => given%keys(k), value => given%values(k), default => defaults%values(k))
@@ -64,7 +64,8 @@ contains
       type(case_t), intent(in) :: case
       character(len=*), intent(in) :: group
       type(error_t), allocatable, intent(inout) :: error
-      type(key_list_t) :: defaults, given
+      type(key_list_t) :: given
+      type(key_list_t), pointer :: defaults
       integer :: k
 
       given = case_key_list(case)
@@ -72,7 +73,7 @@ contains
          associate (key => given%keys(k), value => given%values(k))
             if (key%group /= group .or. .not. key%applies) cycle
             if (is_allowed(key, value)) cycle
-            defaults = case_values()
+            defaults => default_values()
             if (is_none(value, defaults%values(k))) then
                call raise(error, '&'//trim(key%group)//' '//trim(key%name)//' is missing: '//trim(key%when)// &
                   ' needs it')

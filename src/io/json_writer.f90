@@ -1,8 +1,8 @@
 !> Values as JSON.
 module ehlwave_json
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_kinds, only: dp, i8
-   use ehlwave_text, only: to_text
+   use ehlwave_kinds, only: dp
+   use ehlwave_text, only: fewest_figures, to_text
    implicit none (type, external)
    private
    public :: list_json, real_json, string_json
@@ -25,22 +25,9 @@ contains
    pure function real_json(value) result(text)
       real(dp), intent(in) :: value
       character(len=:), allocatable :: text
-      character(len=:), allocatable :: short
-      real(dp) :: back
-      integer :: digits
 
       text = 'null'
-      if (.not. ieee_is_finite(value)) return
-      text = to_text(value)
-      if (abs(value) < 1e-300_dp .or. abs(value) > 1e300_dp) return   ! rounded, it could under- or overflow
-      do digits = 15, 16
-         short = to_text(value, digits)
-         read (short, *) back
-         if (transfer(back, 0_i8) == transfer(value, 0_i8)) then
-            text = short
-            return
-         end if
-      end do
+      if (ieee_is_finite(value)) text = to_text(value, fewest_figures(value))
    end function real_json
 
    !> Text in double quotes; control characters are escaped, bytes that are not UTF-8 become U+FFFD.

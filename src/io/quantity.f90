@@ -22,6 +22,7 @@ module ehlwave_quantity
    type, public :: quantity_list_t
       integer :: count = 0
       type(quantity_t), allocatable :: items(:)      !! items(:count)
+      logical :: has_errors_only = .false.           !! others are not added: for a look at the errors alone
    contains
       procedure :: add
       procedure :: add_truth
@@ -29,7 +30,7 @@ module ehlwave_quantity
       procedure :: find
    end type quantity_list_t
 
-   integer, parameter :: usual_size = 128
+   integer, parameter :: usual_size = 320   ! of a case
    integer, parameter, public :: unknown_whole = -1   !! in files, of whole numbers and truths; else NaN or nothing
 
 contains
@@ -51,30 +52,32 @@ contains
       character(len=*), intent(in), optional :: unit   !! default: '1', of a text ''
       logical, intent(in), optional :: exists          !! default: true
       character(len=*), intent(in), optional :: error_of   !! result whose relative error this is
-      type(quantity_t) :: item
 
-      item%name = name
-      item%long_name = long_name
-      item%unit = '1'
-      select type (value)
-      type is (real(dp))
-         item%kind = 'real'
-         item%number = value
-      type is (integer)
-         item%kind = 'integer'
-         item%number = value
-      type is (logical)
-         item%kind = 'logical'
-         item%number = merge(1, 0, value)
-      type is (character(len=*))
-         item%kind = 'text'
-         item%text = value
-         item%unit = ''
-      end select
-      if (present(unit)) item%unit = unit
-      if (present(exists)) item%exists = exists
-      if (present(error_of)) item%error_of = error_of
-      call append(self, item)
+      if (self%has_errors_only .and. .not. present(error_of)) return
+      call lengthen(self)
+      associate (item => self%items(self%count))
+         item%name = name
+         item%long_name = long_name
+         item%unit = '1'
+         select type (value)
+         type is (real(dp))
+            item%kind = 'real'
+            item%number = value
+         type is (integer)
+            item%kind = 'integer'
+            item%number = value
+         type is (logical)
+            item%kind = 'logical'
+            item%number = merge(1, 0, value)
+         type is (character(len=*))
+            item%kind = 'text'
+            item%text = value
+            item%unit = ''
+         end select
+         if (present(unit)) item%unit = unit
+         if (present(exists)) item%exists = exists
+         if (present(error_of)) item%error_of = error_of
+      end associate
    end subroutine add
 
    !> Add a logical that may be unknown (not allocated).
@@ -83,6 +86,7 @@ contains
       character(len=*), intent(in) :: name, long_name
       logical, intent(in), allocatable :: value
       logical, intent(in), optional :: exists          !! default: true
+      if (self%has_errors_only) return
       call self%add(name, long_name, .false., exists=exists)
       self%items(self%count)%number = no_value
       if (allocated(value)) self%items(self%count)%number = merge(1, 0, value)
@@ -93,15 +97,17 @@ contains
       class(quantity_list_t), intent(inout) :: self
       character(len=*), intent(in) :: name, long_name
       real(dp), intent(in), allocatable :: value(:)
-      type(quantity_t) :: item
-      item = quantity_t(name, long_name, '1', 'list', exists=allocated(value))
-      if (allocated(value)) item%list = value
-      call append(self, item)
+      if (self%has_errors_only) return
+      call lengthen(self)
+      associate (item => self%items(self%count))
+         item = quantity_t(name, long_name, '1', 'list', exists=allocated(value))
+         if (allocated(value)) item%list = value
+      end associate
    end subroutine add_list
 
-   subroutine append(self, item)
+   !> One more item, blank.
+   subroutine lengthen(self)
       class(quantity_list_t), intent(inout) :: self
-      type(quantity_t), intent(in) :: item
       type(quantity_t), allocatable :: more(:)
 
       if (.not. allocated(self%items)) allocate (self%items(usual_size))
@@ -111,7 +117,6 @@ contains
          call move_alloc(more, self%items)
       end if
       self%count = self%count + 1
-      self%items(self%count) = item
-   end subroutine append
+   end subroutine lengthen
 
 end module ehlwave_quantity

@@ -6,7 +6,7 @@ module ehlwave_quantity_output
    use ehlwave_json_reader, only: json_number, json_string, split_list
    use ehlwave_kinds, only: i8
    use ehlwave_quantity, only: quantity_list_t, quantity_t, unknown_whole
-   use ehlwave_text, only: to_text
+   use ehlwave_text, only: put, to_text
    implicit none (type, external)
    private
    public :: json_columns, json_object, json_values, take_json, write_quantities
@@ -17,37 +17,41 @@ contains
    pure function json_object(list) result(text)
       type(quantity_list_t), intent(in) :: list
       character(len=:), allocatable :: text
-      integer :: k
+      integer :: k, n
       text = ''
+      n = 0
       do k = 1, list%count
-         if (list%items(k)%exists) text = text//', '//string_json(list%items(k)%name)//': '//value_json(list%items(k))
+         if (list%items(k)%exists) call put(text, n, ', '//string_json(list%items(k)%name)//': '// &
+                                            value_json(list%items(k)))
       end do
-      text = '{'//text(3:)//'}'
+      text = '{'//text(3:n)//'}'
    end function json_object
 
    !> Names and kinds of the quantities that exist: [["name","kind"],...]
    pure function json_columns(list) result(text)
       type(quantity_list_t), intent(in) :: list
       character(len=:), allocatable :: text
-      integer :: k
+      integer :: k, n
       text = ''
+      n = 0
       do k = 1, list%count
-         if (list%items(k)%exists) text = text//',['//string_json(list%items(k)%name)//',"'// &
-            trim(list%items(k)%kind)//'"]'
+         if (list%items(k)%exists) call put(text, n, ',['//string_json(list%items(k)%name)//',"'// &
+                                            trim(list%items(k)%kind)//'"]')
       end do
-      text = '['//text(2:)//']'
+      text = '['//text(2:n)//']'
    end function json_columns
 
    !> The values of the quantities that exist as a list, in the order of `json_columns`.
    pure function json_values(list) result(text)
       type(quantity_list_t), intent(in) :: list
       character(len=:), allocatable :: text
-      integer :: k
+      integer :: k, n
       text = ''
+      n = 0
       do k = 1, list%count
-         if (list%items(k)%exists) text = text//','//value_json(list%items(k))
+         if (list%items(k)%exists) call put(text, n, ','//value_json(list%items(k)))
       end do
-      text = '['//text(2:)//']'
+      text = '['//text(2:n)//']'
    end function json_values
 
    pure function value_json(quantity) result(text)

@@ -5,7 +5,7 @@ module ehlwave_input_quantities
    use ehlwave_case_key, only: key_long_name, number_kind, truth_kind, whole_kind
    use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_text, only: case_identity
+   use ehlwave_case_text, only: input_identity, input_text
    use ehlwave_conditions, only: conditions_t
    use ehlwave_effects_keys, only: effect_count
    use ehlwave_effects_plan, only: error_help, error_name
@@ -22,18 +22,17 @@ module ehlwave_input_quantities
 contains
 
    !> Quantities of the input.
-   subroutine add_case(list, case, plan)
+   subroutine add_case(list, case, keys, plan)
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case
+      type(key_list_t), intent(in) :: keys      !! keys of the case
       type(case_plan_t), intent(in) :: plan
-      type(key_list_t) :: keys
       character(len=19), parameter :: of_waves(3) = [character(len=19) :: 'orientation', 'wavelength_x_over_a', &
                                                      'wavelength_y_over_a']
       integer :: i, n
 
-      keys = case_key_list(case)
       associate (c => plan%conditions)
-         call list%add('case_id', 'identity of the effective input', case_identity(case))
+         call list%add('case_id', 'identity of the effective input', input_identity(input_text(keys)))
          call list%add('load_parameter_m', 'Moes load parameter M', c%m)
          call list%add('lubricant_parameter_l', 'Moes lubricant parameter L', c%l)
          call list%add('radius_ratio_d', 'D = Rx/Ry', c%d)
@@ -98,7 +97,7 @@ contains
       character(len=8), parameter :: kinds(4) = [character(len=8) :: 'smooth', 'standing', 'march', 'harmonic']
 
       keys = case_key_list(case)
-      call add_case(list, case, plan)
+      call add_case(list, case, keys, plan)
       call list%add('run', 'computation: smooth, standing, march, harmonic or periodic', &
                     trim(merge('periodic', kinds(plan%kind), plan%is_periodic)))
       call list%add('time_steps', 'time steps to be done', plan%steps)

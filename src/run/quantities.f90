@@ -6,6 +6,7 @@
 !> `input_quantities` and `wave_quantities` have their parts of the table.
 module ehlwave_quantities
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_result, only: case_result_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_effect_result, only: after_film, after_friction, after_waves
@@ -38,7 +39,7 @@ contains
 
       call list%add('status', 'outcome', status_name(result%status))
       call list%add('message', 'why a case did not converge or is not resolved', result%message)
-      call add_case(list, case, plan)
+      if (.not. list%has_errors_only) call add_case(list, case, case_key_list(case), plan)
       call list%add('is_resolved', '1 when the grid resolves the case', result%is_resolved)
       call add_smooth_film(list, plan, result)
       call result%effects%add_quantities(after_film, list, case, plan)

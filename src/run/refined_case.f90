@@ -41,6 +41,7 @@ contains
       type(quantity_list_t) :: quantities
 
       call run_and_refine(case, plan, monitor, result, shared, keeper)
+      quantities%has_errors_only = .true.
       call add_result(quantities, case, plan, result)
       call add_warning(result, error_warning(quantities))
    end subroutine run_refined_case

@@ -6,7 +6,7 @@ module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_record, only: case_record
-   use ehlwave_case_text, only: effective_input
+   use ehlwave_case_text, only: input_text
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
@@ -124,15 +124,15 @@ contains
       type(key_list_t) :: keys
       integer :: i
 
-      call add_case(row, sweep%cases(case), sweep%plans(case))
       keys = case_key_list(sweep%cases(case))
+      call add_case(row, sweep%cases(case), keys, sweep%plans(case))
       do i = 1, keys%count
          associate (name => keys%keys(i)%name)
             if (row%find(trim(name)) > 0) cycle
             if (any(always_shown == name) .or. sweep%varies(i)) call add_key(row, keys, trim(name))
          end associate
       end do
-      call row%add('effective_input', 'case file that reproduces the case', effective_input(sweep%cases(case)))
+      call row%add('effective_input', 'case file that reproduces the case', input_text(keys))
    end function input_row
 
    !> Every column of the records that the file has not yet, described as in the table of quantities.

@@ -157,7 +157,7 @@ contains
          self%skipped = self%skipped + 1
          return
       end if
-      identity = case_identity(input%case, table)
+      identity = case_identity(input%case)
       before = self%index%count
       call self%index%add(identity, i)
       if (i <= before) return

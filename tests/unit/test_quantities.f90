@@ -3,6 +3,7 @@ program test_quantities
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
@@ -93,7 +94,7 @@ contains
       list = quantity_list_t()
       call add_result(list, case, plan, result)
       call test%check(index(json_object(list), '"surfaces_touch": true') > 0, 'a truth that is known')
-      call add_case(what, case, plan)
+      call add_case(what, case, case_key_list(case), plan)
       call test%check_equal(what%find('central_film'), 0, 'no outcome in what the case is')
    end subroutine check_values
 

@@ -158,6 +158,8 @@ def number(value: Any, name: str, place: str = "") -> float:  # noqa: ANN401 - u
     Raises SurfaceError if it is no number, or a plain number outside the range of contacts: a
     prefix forgotten.
     """
+    if hasattr(value, "slopes"):  # of ehlwave.duals
+        return value  # type: ignore[no-any-return]
     start = f"{place}: " if place else ""
     has_unit = is_quantity(value)
     if type(value).__name__ in ("bool", "bool_"):  # numbers of Python, and of numpy

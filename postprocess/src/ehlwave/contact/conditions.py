@@ -3,7 +3,6 @@
 Equation numbers refer to ``src/theory.md``.
 """
 
-import math
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -24,19 +23,17 @@ from ehlwave.contact.scales import (
 )
 from ehlwave.contact.starvation import FILM_BAR
 from ehlwave.contact.thinning import NEARLY_NEWTONIAN, film_loss, stresses_in_inlet
+from ehlwave.duals import math, to_float
+from ehlwave.error_bars import bar
 
 MOES_KEYS = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
 
-THINNING_ERROR = 0.14
-"""By how much less than in pure rolling films are under slip, relative: 97.5 % of contacts in the
-atlas of Ree-Eyring oils are below. A test compares."""
+THINNING_ERROR = bar("film.thinned")
 
 FIT_TEXT = "the film thickness fit of Nijenbanning, Venner and Moes (1994)"
 LINE_FIT_TEXT = "the film thickness fit of Moes (1992) for line contacts"
 GIVEN_TEXT = "given (central_film_m)"
-FIT_ERROR, LINE_FIT_ERROR = 0.25, 0.35
-"""By how much they are too thick, relative: 97.5 % of elliptical and all line contacts of the atlas
-are below. Slender contacts at M near 20 reach 0.40. A test compares."""
+FIT_ERROR, LINE_FIT_ERROR = bar("film.formula"), bar("film.formula_line")
 
 
 @dataclass(frozen=True)
@@ -121,13 +118,13 @@ class Conditions:
     @property
     def v_per_wavelength(self) -> float:
         """V = (lambda/a)(gamma M/L)^(1/2) for a wavelength of 1 m, eq. (17), 1/m."""
-        return float(v(1 / self.semi_axis_a_m, self.m, self.l, self.gamma))
+        return to_float(v(1 / self.semi_axis_a_m, self.m, self.l, self.gamma))
 
     @property
     def alphabar(self) -> float:
         """Return alpha ph, eq. (3)."""
         if self.is_line:
-            return float(line_alphabar(self.m, self.l))
+            return to_float(line_alphabar(self.m, self.l))
         return alphabar(self.m, self.l, self.gamma)
 
     @property

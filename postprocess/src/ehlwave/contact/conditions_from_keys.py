@@ -1,6 +1,5 @@
 """Conditions of a contact from the keys of an input file of ``ehlwave-case``."""
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -11,6 +10,7 @@ from ehlwave.contact.line_contact import LINE_KEYS, LOAD_KEY
 from ehlwave.contact.moes_parameters import DIMENSIONAL_KEYS, moes_values
 from ehlwave.contact.oil_keys import OIL_KEYS
 from ehlwave.contact.starvation import OIL_OVER_FLOODED
+from ehlwave.duals import math
 from ehlwave.errors import SurfaceError, did_you_mean, see
 from ehlwave.extras import load
 from ehlwave.inputs.slip import RATIO, SLIP, refuse_both, slip_of

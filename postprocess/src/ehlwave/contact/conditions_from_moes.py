@@ -3,7 +3,6 @@
 Equation numbers refer to ``src/theory.md``.
 """
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
 
@@ -29,6 +28,7 @@ from ehlwave.contact.scales import (
     pressure_factor,
 )
 from ehlwave.contact.starvation import FILM_BAR, OIL_OVER_FLOODED, film_over_flooded
+from ehlwave.duals import math, to_float
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.inputs.slip import SLIP
 
@@ -52,7 +52,7 @@ def conditions_from_moes(
     approach, metres_per_moes = None, None
     source, error = GIVEN_TEXT, 0.0
     if "radius_x_m" in values and math.isfinite(semi_axis_a_m):
-        k, e = first_integral(kappa), float(ellipe(1 - kappa**2))  # E = 1 of a line contact
+        k, e = first_integral(kappa), to_float(ellipe(1 - kappa**2))  # E = 1 of a line contact
         approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
         metres_per_moes = approach / moes_per_film(m, kappa)
         if film_m is None and math.isfinite(ratio):
@@ -107,6 +107,6 @@ def _film_ratio(values: Mapping[str, float], m: float, l: float, d: float, place
     if values.get(SLIP, 1.0) != 1 or d == 0:
         return math.nan
     try:
-        return float(film_over_flooded(values[OIL_OVER_FLOODED], m, l, d))
+        return to_float(film_over_flooded(values[OIL_OVER_FLOODED], m, l, d))
     except RangeError:
         return math.nan

@@ -1,9 +1,9 @@
 """Effect of errors of a contact's data on the film."""
 
-import math
 from collections.abc import Mapping
 
 from ehlwave.contact.scales import moes_film
+from ehlwave.duals import math, to_float
 
 OIL_ERRORS = ("viscosity_error", "pressure_viscosity_error")
 """Relative errors of the oil's viscosity and alpha; film and friction include them."""
@@ -36,7 +36,7 @@ def film_change(m: float, l: float, d: float, viscosity: float, alpha: float) ->
     """
     power = -0.5 if d == 0 else -0.75
     other = moes_film(m * viscosity**power, l * alpha * viscosity**0.25, d)
-    return float(other * viscosity**0.5 / moes_film(m, l, d))
+    return to_float(other * viscosity**0.5 / moes_film(m, l, d))
 
 
 def film_error_by_data(values: Mapping[str, float], m: float, l: float, d: float) -> float:  # noqa: E741
@@ -73,6 +73,6 @@ def _power(key: str, m: float, l: float, d: float) -> float:  # noqa: E741
 
     def film(x: float) -> float:
         ratio = d * math.exp(by_d * x)
-        return float(moes_film(m * math.exp(by_m * x), l * math.exp(by_l * x), ratio))
+        return to_float(moes_film(m * math.exp(by_m * x), l * math.exp(by_l * x), ratio))
 
     return by_scale + math.log(film(step) / film(0.0)) / step

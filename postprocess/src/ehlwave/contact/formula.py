@@ -14,9 +14,9 @@ Ad/Ai                     (18)     (12)
 ========================  =======  ==========
 """
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ehlwave.duals import np
 from ehlwave.errors import ArgumentError
 
 Floats = NDArray[np.float64]

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any, NamedTuple
 
+from ehlwave.duals import to_float
 from ehlwave.errors import SurfaceError, see
 from ehlwave.quantities import number
 
@@ -40,7 +41,7 @@ class BodyHeat(NamedTuple):
         13028
         """
         conducted, density, capacity = self
-        return float((conducted * density * capacity) ** 0.5)
+        return to_float((conducted * density * capacity) ** 0.5)
 
     def peclet(self, speed_length: float) -> float:
         """Return u a rho c/(2 k), motion against conduction along it.
@@ -118,7 +119,7 @@ class Heat:
                     raise SurfaceError(f"Heat: {field.name} = {found!r} is no ehlwave.BodyHeat")
                 for name, value in zip(BodyHeat._fields, found, strict=True):
                     _positive(value, f"{field.name}_{name}")
-                object.__setattr__(self, field.name, BodyHeat(*map(float, found)))
+                object.__setattr__(self, field.name, BodyHeat(*map(to_float, found)))
                 continue
             lowest = 0.0 if field.name in ("oil_expansion_per_k", CONDUCTIVITY_ERROR) else None
             value = _positive(getattr(self, field.name), field.name, lowest)

@@ -4,11 +4,11 @@ M = W (2U)^(-1/2) with W = w/(E' Rx); a^2 = 8 w Rx/(pi E'), ph = 2 w/(pi a); K =
 elliptic integral, gamma = M^(1/2), for which V holds in line contacts (``src/contact/README.md``).
 """
 
-import math
 from collections.abc import Mapping
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from ehlwave.duals import math, np
 
 Floats = NDArray[np.float64]
 

@@ -6,11 +6,11 @@ exp(i (kx X + ky Y - w T)), X and Y in units of a here, w = kx S.
 
 from dataclasses import dataclass
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.oils import DENSITY_LIMIT, DENSITY_PA, Oil, log_viscosity
 from ehlwave.contact.scales import first_integral
+from ehlwave.duals import np
 
 Complex = NDArray[np.complex128]
 

@@ -3,7 +3,6 @@
 Equation numbers refer to ``src/theory.md``.
 """
 
-import math
 from collections.abc import Mapping
 
 from scipy.special import ellipe
@@ -11,6 +10,7 @@ from scipy.special import ellipe
 from ehlwave.contact.line_contact import LOAD_KEY, line_values
 from ehlwave.contact.oils import Oil
 from ehlwave.contact.scales import ellipticity
+from ehlwave.duals import math, to_float, valued
 from ehlwave.errors import SurfaceError, see
 
 DIMENSIONAL_KEYS = (
@@ -41,7 +41,7 @@ def moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
     )
     kappa = ellipticity(d)
     radius = 1 / (1 / radius_x + 1 / radius_y)
-    e = float(ellipe(1 - kappa**2))
+    e = to_float(ellipe(1 - kappa**2))
     return {
         "load_parameter_m": load_w * speed_2u**-0.75,
         "lubricant_parameter_l": alpha * modulus * speed_2u**0.25,
@@ -53,7 +53,7 @@ def moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
 def checked_ratio(d: float, given: str) -> float:
     """Return D, 1 where radii are equal up to round-off; refuse values out of range."""
     if abs(d - 1) <= ROUND_OFF:
-        return 1.0
+        return d - valued(d - 1)
     if d != 0 and not SMALLEST_RADIUS_RATIO <= d <= 1:
         raise SurfaceError(
             f"{given}: D = Rx/Ry = {d:.10g} must lie in {SMALLEST_RADIUS_RATIO} to 1, or be 0 "

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-import scipy
 from numpy.typing import ArrayLike, NDArray
+
+from ehlwave.duals import np, root, to_float
 
 ROELANDS_PA = 1.96e8
 DENSITY_PA, DENSITY_LIMIT = 5.9e8, 1.34
@@ -57,17 +57,17 @@ class Oil:
         if self.stress_modulus_pa2 is None or b == 0:
             return 1.0, 1.0
         if self.carreau_exponent is None:
-            return float(np.hypot(1, b)), float(b / np.arcsinh(b))
+            return to_float(np.hypot(1, b)), to_float(b / np.arcsinh(b))
         power = (1 / self.carreau_exponent - 1) / 2
-        log_b = float(np.log(b))
+        log_b = to_float(np.log(b))
 
         def excess(log_stress: float) -> float:
-            return float(log_stress + power * np.logaddexp(0, 2 * log_stress) - log_b)
+            return to_float(log_stress + power * np.logaddexp(0, 2 * log_stress) - log_b)
 
-        least = min(log_b, log_b / (2 * power + 1)) - power * float(np.log(2))
-        stress = np.exp(scipy.optimize.brentq(excess, least - 1e-9, log_b + 1e-9, xtol=1e-14))
-        across = float(b / stress)
-        return float(across * (1 + 2 * power * stress**2 / (1 + stress**2))), across
+        least = min(log_b, log_b / (2 * power + 1)) - power * to_float(np.log(2))
+        stress = np.exp(root(excess, least - 1e-9, log_b + 1e-9, xtol=1e-14))
+        across = to_float(b / stress)
+        return to_float(across * (1 + 2 * power * stress**2 / (1 + stress**2))), across
 
 
 def log_viscosity(

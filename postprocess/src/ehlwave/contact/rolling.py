@@ -7,10 +7,10 @@ cent too large in the mean, the recommended formula 48 per cent. Sample: 3144 li
 gamma M of 5 to 2000, 2.5 <= L <= 20, 0.04 <= D <= 1 (``studies.two_waves``).
 """
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.formula import Floats, wave_and_direction
+from ehlwave.duals import np
 
 AMPLITUDE = (
     0.2706,

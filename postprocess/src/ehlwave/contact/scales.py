@@ -5,22 +5,23 @@ Fortran program has the same formulas in ``src/contact/conditions.f90`` and ``fo
 compares both to round-off.
 """
 
-import math
 from functools import lru_cache
-from typing import TypeVar
+from typing import Any, TypeVar
 
-import numpy as np
 import scipy
 from numpy.typing import NDArray
 from scipy.special import ellipk, elliprd
 
 from ehlwave.contact.line_contact import line_film, moes_per_line_film
+from ehlwave.duals import Dual, implicit, math, np, to_float, valued
 from ehlwave.errors import SurfaceError
 
 Number = TypeVar("Number", float, NDArray[np.float64])
 
+NEARLY_CIRCULAR = 1e-4
+"""1 - kappa^2 below which derivatives of elliptic integrals are series."""
 
-@lru_cache(maxsize=4096)
+
 def ellipticity(d: float) -> float:
     """Return kappa = a/b that solves D = kappa^2 (K - E)/(E - kappa^2 K), eq. (1).
 
@@ -33,6 +34,12 @@ def ellipticity(d: float) -> float:
             "radius_ratio_d = 0 is a line contact: harmonic tables are for elliptical contacts, "
             "radius_ratio_d of 0.005 to 1"
         )
+    found: float = implicit(_ellipticity(float(valued(d))), lambda kappa: radius_ratio(kappa) - d)
+    return found
+
+
+@lru_cache(maxsize=4096)
+def _ellipticity(d: float) -> float:
     if d == 1:
         return 1.0
 
@@ -60,7 +67,7 @@ def alphabar(m: Number, l: Number, gamma: Number) -> Number:  # noqa: E741
 
 def lambdabar(m: float, kappa: float) -> float:
     """Return the speed parameter, eq. (4)."""
-    k, b = float(ellipk(1 - kappa**2)), integral_combinations(kappa)[1]
+    k, b = to_float(ellipk(1 - kappa**2)), integral_combinations(kappa)[1]
     shape = b ** (5 / 3) / (6 ** (1 / 3) * kappa ** (4 / 3) * k**2)
     return 16 * math.pi ** (4 / 3) * m ** (-4 / 3) * shape
 
@@ -73,7 +80,7 @@ def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
     (1992), :data:`LINE_FIT_ERROR`.
     """
     if d == 0:
-        return float(line_film(m, l))
+        return to_float(line_film(m, l))
     shape = 1 + 0.006 * math.log(d) + 0.63 * d ** (4 / 7)
     h_ri = 145 * (1 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2
     h_ei = 3.18 * shape ** (-14 / 25) * d ** (-1 / 15) * m ** (-2 / 15)
@@ -84,7 +91,7 @@ def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
     s = 1.5 * (1 + math.exp(-1.2 * ratio))
     rigid_elastic = (h_ri**1.5 + (h_ei**-4 + h_00**-4) ** (-3 / 8)) ** (2 * s / 3)
     piezoviscous = (h_rp**-8 + h_ep**-8) ** (-s / 8) if l > 0 else 0.0
-    return float((rigid_elastic + piezoviscous) ** (1 / s))
+    return to_float((rigid_elastic + piezoviscous) ** (1 / s))
 
 
 def corrected_film(m: float, l: float, d: float) -> float:  # noqa: E741
@@ -102,13 +109,13 @@ def corrected_film(m: float, l: float, d: float) -> float:  # noqa: E741
 
 def first_integral(kappa: float) -> float:
     """Return the elliptic integral K of eq. (3); 1 of a line contact, kappa = 0."""
-    return float(ellipk(1 - kappa**2)) if kappa > 0 else 1.0
+    return to_float(ellipk(1 - kappa**2)) if kappa > 0 else 1.0
 
 
 def moes_per_film(m: float, kappa: float) -> float:
     """Return the film in the Moes scale per unit of H, eq. (6); of a line contact kappa is 0."""
     if kappa == 0:
-        return float(moes_per_line_film(m))
+        return to_float(moes_per_line_film(m))
     b = integral_combinations(kappa)[1]
     return first_integral(kappa) / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
 
@@ -118,5 +125,20 @@ def integral_combinations(kappa: float) -> tuple[float, float]:
 
     By Carlson's R_D, in which nothing cancels: Carlson, Numerical Algorithms 10 (1995).
     """
+    if isinstance(kappa, Dual):
+        return _combinations_with_slopes(kappa)
     k = kappa**2
     return float(elliprd(0, k, 1)) / 3, k * float(elliprd(0, 1, k)) / 3
+
+
+def _combinations_with_slopes(kappa: Any) -> tuple[Any, Any]:  # noqa: ANN401 - a Dual
+    """Return both with their derivatives by the parameter m = 1 - kappa^2, of E and K."""
+    first, second = integral_combinations(float(kappa.value))
+    m = 1 - float(kappa.value) ** 2
+    k_slope = second / (2 * (1 - m))
+    if m < NEARLY_CIRCULAR:  # the difference cancels
+        first_slope = math.pi / 2 * (3 / 16 + 15 / 64 * m)
+    else:
+        first_slope = (second / (1 - m) - first) / (2 * m)
+    by_m = -2 * kappa.value * kappa.slopes
+    return Dual(first, first_slope * by_m), Dual(second, (k_slope - first_slope) * by_m)

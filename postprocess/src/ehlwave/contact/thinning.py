@@ -13,12 +13,12 @@ Ree-Eyring and 1 + (1/n - 1)(s/G)^2/2 of Carreau are alike then at small stresse
 stresses Carreau's grows less for n above 1/6.
 """
 
-import math
 from dataclasses import replace
 
 from ehlwave.contact.medium import INLET_VISCOSITY, hertz_medium
 from ehlwave.contact.oils import Oil
 from ehlwave.contact.scales import first_integral, moes_film, moes_per_film
+from ehlwave.duals import math
 
 BY_PRESSURE, PIEZOVISCOUS, BY_SLIP = 0.03, 0.16, 0.008
 """Relative loss of film over N^2, the same times L where that is less, and over T, chosen so that

@@ -38,6 +38,13 @@ FIRST = {
 """Values from which a fit begins where the conditions have none."""
 
 
+MOST_REFUSED = {False: 60, True: 5}
+"""Steps of a fit that may lead to contacts without an answer, by laws and where one is computed."""
+NEAR, STATIONARY = 1e-3, 1e-4
+"""Distance in logarithms from such a step, and cosine between residuals and derivatives, by which
+a fit ends at the edge of the range and not at a minimum."""
+
+
 def identify(
     measurements: "Measurements | str | Path | pd.DataFrame",
     conditions: "dict[str, Any] | str | Path",
@@ -96,6 +103,8 @@ def identify(
     if clash := [name for name in names if any(name in row for row in data.conditions)]:
         raise ArgumentError(f"--fit {clash[0]}: the measurements have a column of it")
     for number, (row, name) in enumerate(zip(rows, data.result, strict=True), 1):
+        if name == "harmonic_ratio" and "wavelength_over_a" not in row:
+            raise ArgumentError(f"measured value {number}, {name}: give its wavelength_over_a")
         if name == "friction_coefficient" and not row.get(RATIO) and row.get(SLIP, 1) == 1:
             raise ArgumentError(
                 f"measured value {number}, {name}: a contact that rolls has none: give a "
@@ -105,11 +114,19 @@ def identify(
     weights = 1 / _errors(data, error)
     measured = np.log(data.value)
     known: dict[bytes, Any] = {}
+    refused: list[tuple[NDArray[np.float64], ArgumentError]] = []
 
     def at(values: NDArray[np.float64]) -> Any:  # noqa: ANN401
-        if values.tobytes() not in known:
-            known[values.tobytes()] = model(values)
-        return known[values.tobytes()]
+        place = values.tobytes()
+        if place not in known:
+            try:
+                known[place] = model(values)
+            except ArgumentError as problem:
+                if not known or len(refused) == MOST_REFUSED["ehlwave-case" in model.sources]:
+                    raise
+                refused.append((values.copy(), problem))
+                known[place] = np.full(len(data), np.inf), None  # the fit takes a shorter step
+        return known[place]
 
     first = np.log([start[name] for name in names])
     found = least_squares(
@@ -122,7 +139,28 @@ def identify(
         ftol=1e-10,
         gtol=1e-10,
     )
-    return result_of(data, names, reference, found, at(found.x)[0], weights, error, model)
+    result = result_of(data, names, reference, found, at(found.x)[0], weights, error, model)
+    _check_end(found, refused, result)
+    return result
+
+
+def _check_end(
+    found: Any,  # noqa: ANN401 - of least_squares
+    refused: list[tuple[NDArray[np.float64], ArgumentError]],
+    result: Identified,
+) -> None:
+    """Refuse a fit that ends where a measured contact leaves the range of its law."""
+    size = np.linalg.norm(found.jac, axis=0) * np.linalg.norm(found.fun)
+    is_smallest = np.all(np.abs(found.jac.T @ found.fun) <= STATIONARY * size)
+    near = [problem for x, problem in refused if np.linalg.norm(x - found.x) < NEAR]
+    if is_smallest or not near:
+        return
+    ends = ", ".join(f"{one.name} = {one.value:.4g}" for one in result.parameters)
+    notes = "".join(f"; {note}" for note in result.notes)
+    raise ArgumentError(
+        f"the fit ends where contacts have no answer, at {ends}: {near[-1]}{notes}. Fit fewer "
+        "parameters, or leave this value out"
+    )
 
 
 def _check(data: Measurements, names: list[str]) -> None:
@@ -162,8 +200,10 @@ def _errors(data: Measurements, error: float | None) -> NDArray[np.float64]:
     if error is not None and not 0 < error < 1:
         raise ArgumentError(f"error = {error:g}: give a relative standard error between 0 and 1")
     given = np.where(np.isfinite(data.error), data.error, 1.0 if error is None else error)
-    if not (given > 0).all():
-        raise ArgumentError("a column of errors has values that are not above 0")
+    if not ((given > 0) & (given <= 1)).all():
+        raise ArgumentError(
+            "a column of errors has values outside 0 to 1: give relative standard errors"
+        )
     if np.isfinite(data.error).any() and not np.isfinite(data.error).all() and error is None:
         raise ArgumentError("some values have no error: give error, or fill the column")
     return given

@@ -102,9 +102,9 @@ def result_of(
     _, sizes, directions = np.linalg.svd(found.jac, full_matrices=False)
     weak = ~(sizes > SINGULAR * sizes[0])  # all, if nothing depends on the parameters
     spread = np.where(weak, 1e6, 1 / np.where(weak, 1.0, sizes))
-    covariance = (directions.T * spread**2) @ directions * noise**2
-    errors = np.sqrt(np.diag(covariance))
-    correlation = covariance / np.outer(errors, errors)
+    covariance = (directions.T * spread**2) @ directions
+    correlation = covariance / np.sqrt(np.outer(np.diag(covariance), np.diag(covariance)))
+    errors = noise * np.sqrt(np.diag(covariance))
     quantile = 0.5 + CONFIDENCE / 2
     times = norm.ppf(quantile) if is_given else t.ppf(quantile, free) if free else np.nan
     hits = np.array(found.active_mask) != 0

@@ -2,6 +2,7 @@
 
 import re
 import warnings
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Mapping
 from dataclasses import dataclass
 from io import StringIO
@@ -131,7 +132,7 @@ def _table_of(source: "str | Path | pd.DataFrame") -> tuple[pd.DataFrame, str]:
     if not Path(source).is_file():
         raise ArgumentError(f"{source}: no such file: give a CSV table of measurements")
     try:
-        lines = Path(source).read_text(encoding="utf-8-sig").splitlines()
+        lines = _decoded(Path(source).read_bytes()).splitlines()
         head = next((line for line in lines if line.strip() and line[0] != "#"), "")
         mark = max(_MARKS, key=head.count)
         if mark not in head and not re.search(r"[\[(]", head):  # words of rigs have spaces
@@ -171,7 +172,19 @@ def _known_columns(table: pd.DataFrame, place: str) -> Mapping[str, NDArray[np.f
         if name in known:
             raise ArgumentError(f"{place}: two columns of {name}: leave one")
         values: Any = pd.to_numeric(table[heading], errors="coerce")
-        if (values.isna() & table[heading].notna()).any():
+        if (values.isna() & table[heading].notna()).any() or np.isinf(values).any():
             raise ArgumentError(f"{place}: column {heading} has cells that are no numbers")
         known[name] = factor * values.to_numpy(dtype=float) + offset
+        if name == TEMPERATURE and (known[name] <= 0).any():
+            raise ArgumentError(f"{place}: column {heading} has temperatures below absolute zero")
     return known
+
+
+def _decoded(content: bytes) -> str:
+    """Return the text of a file: in UTF-8 or UTF-16, else as Windows programs write it."""
+    if content[:2] in (BOM_UTF16_LE, BOM_UTF16_BE):
+        return content.decode("utf-16")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("cp1252", errors="replace")

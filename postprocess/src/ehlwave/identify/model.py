@@ -1,6 +1,5 @@
 """Results of a contact and their derivatives by keys, of the laws or of the program."""
 
-import math
 import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -9,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ehlwave.contact.conditions_read import given_of
+from ehlwave.duals import Dual, math, seeded, to_float
 from ehlwave.errors import (
     ArgumentError,
     ExtrapolationWarning,
@@ -19,7 +19,6 @@ from ehlwave.errors import (
 from ehlwave.identify.measurements import TEMPERATURE
 from ehlwave.inputs.key_classes import HEAT_DATA
 from ehlwave.inputs.key_table import KEYS
-from ehlwave.laws.slopes import Answer, slopes_of
 from ehlwave.operating_point import contact_of
 from ehlwave.operating_point.gradients import computed
 
@@ -46,19 +45,14 @@ def at_temperature(keys: Keys, reference_k: float | None) -> dict[str, Any]:
 
 def by_laws(keys: Keys, result: str) -> float:
     """Return the logarithm of a result by the laws; raises RangeError where none holds."""
-    return _law_answer(keys, result)[0]
-
-
-def _law_answer(keys: Keys, result: str) -> tuple[float, str]:
-    """Return it with its source."""
     given = {key: value for key, value in keys.items() if key not in NOT_OF_LAWS}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ExtrapolationWarning)
         contact = contact_of(given_of(given, "conditions"))
         if result == "harmonic_ratio":
             angle = 90.0 if str(keys.get("orientation")) == "longitudinal" else 0.0
-            response = contact.response(float(keys["wavelength_over_a"]), angle, by="laws")
-            return math.log(abs(response.film)), response.source
+            response = contact.response(to_float(keys["wavelength_over_a"]), angle, by="laws")
+            return math.log(abs(response.film))
         film = contact.film("laws")
     found = {
         "central_film_m": film.central_m,
@@ -67,7 +61,7 @@ def _law_answer(keys: Keys, result: str) -> tuple[float, str]:
     }[result]
     if not found:
         raise RangeError(f"no law has {result} of this contact")
-    return math.log(abs(found)), film.source
+    return math.log(abs(found))
 
 
 def by_program(
@@ -123,6 +117,9 @@ class Model:
         self.rows, self.results = list(rows), list(results)
         self.parameters, self.reference_k, self.by = list(parameters), reference_k, by
         self.sources: set[str] = set()
+        self._is_started = False
+        self._refusals: dict[int, RangeError] = {}
+        """Rows that the program answers for: those that no law had where the fit began."""
 
     def __call__(self, values: NDArray[np.float64]) -> tuple[NDArray[np.float64], Any]:
         """Return ln(results) and their Jacobian at logarithms of the parameters."""
@@ -133,17 +130,18 @@ class Model:
                 both.append(self._row(k, chosen))
             except ResultsError as problem:
                 raise ArgumentError(f"measured value {k + 1}, {name}: {problem}") from problem
+        self._is_started = True
         return np.array([one for one, _ in both]), np.array([slope for _, slope in both])
 
     def _row(self, k: int, chosen: dict[str, float]) -> tuple[float, list[float]]:
-        keys, refusal = {**self.rows[k], **chosen}, None
-        if self.by != "computed":
+        keys, refusal = {**self.rows[k], **chosen}, self._refusals.get(k)
+        if self.by != "computed" and not refusal:
             try:
                 return self._laws(keys, self.results[k])
             except RangeError as error:
-                if self.by == "laws":
+                if self.by == "laws" or self._is_started:
                     raise
-                refusal = error
+                refusal = self._refusals[k] = error
         self.sources.add("ehlwave-case")
         here = at_temperature(keys, self.reference_k)
         value, slopes = by_program(here, self.results[k], refusal)
@@ -152,17 +150,11 @@ class Model:
         return value, [slopes.get(key, 0.0) for key in self.parameters]
 
     def _laws(self, keys: Keys, result: str) -> tuple[float, list[float]]:
-        def slope(key: str) -> float:
-            def at(change: float) -> Answer:
-                changed = {**keys, key: keys[key] * math.exp(change)} if change else keys
-                value, source = _law_answer(at_temperature(changed, self.reference_k), result)
-                return {result: value}, source
-
-            return slopes_of(at)[result]
-
         middle = by_laws(at_temperature(keys, self.reference_k), result)
+        seeds = seeded({key: keys[key] for key in self.parameters})
+        found: Any = by_laws(at_temperature({**keys, **seeds}, self.reference_k), result)
         self.sources.add("laws")
-        return middle, [slope(key) for key in self.parameters]
+        return middle, found.slopes.tolist() if isinstance(found, Dual) else [0.0] * len(seeds)
 
 
 def check_parameter(key: str, words: Mapping[str, str]) -> str:

@@ -4,13 +4,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 import scipy
 from numpy.typing import NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.formula import recommended_ratio
 from ehlwave.contact.line_contact import ROLLS_ALONE
+from ehlwave.duals import Dual, count_of, np, part_of, placed, spline, to_float, valued
 from ehlwave.errors import RangeError
 from ehlwave.laws.atlas.atlas import Atlas, atlas_for, chart_of
 from ehlwave.laws.atlas.chart import Chart
@@ -125,21 +125,17 @@ class AtlasTransfer(Transfer):
         inside = np.clip(wave, *WAVE_RANGE)
         real, imaginary, error, rise = self._lookup(angle)(np.log(inside), angle)
         fall = self._fall(wave, inside, angle)
-        ratio = np.empty(wave.shape, complex)
-        short = wave < inside
-        kept = np.ones(wave.shape)
-        kept[short] = (wave[short] / inside[short]) ** SHORT_WAVE_POWER
-        ratio.real = fall * (1 - (1 - real) * kept)
-        ratio.imag = fall * imaginary * kept
-        error = np.maximum(error, 0)
-        error[short] += np.abs(1 - ratio[short])
-        long = wave > inside
-        error[long] += np.abs(ratio[long])
-        error[~np.isfinite(wave)] = 0  # the mean is not deformed
+        short, long = wave < inside, wave > inside
+        kept = placed(short, (wave[short] / inside[short]) ** SHORT_WAVE_POWER, 1.0)
+        ratio = fall * (1 - (1 - real) * kept) + 1j * (fall * imaginary * kept)
+        error = np.maximum(valued(error), 0)
+        error[short] += np.abs(1 - valued(ratio)[short])
+        error[long] += np.abs(valued(ratio)[long])
+        error[~np.isfinite(valued(wave))] = 0  # the mean is not deformed
         ratio = ratio.reshape(shape)
-        ratio.imag *= np.sign(np.broadcast_to(per_length_x, shape))
+        turn = np.sign(np.broadcast_to(per_length_x, shape))
         return Found(
-            ratio,
+            ratio.real + 1j * (ratio.imag * turn),
             error.reshape(shape),
             (rise * fall**2).reshape(shape),
             ((wave >= WAVE_RANGE[0]) & (wave <= WAVE_RANGE[1])).reshape(shape),
@@ -152,32 +148,32 @@ class AtlasTransfer(Transfer):
         qx, qy = np.broadcast_arrays(np.abs(per_length_x), np.abs(per_length_y))
         with np.errstate(divide="ignore"):
             wave = 1 / (np.hypot(qx, qy) * self._conditions.semi_axis_a_m)
-        wave, angle = wave.ravel(), np.degrees(np.arctan2(qy, qx)).ravel()
-        angle[~np.isfinite(wave)] = angle[-1]  # the mean has no direction
+        wave, angle = wave.ravel(), np.degrees(np.arctan2(valued(qy), valued(qx))).ravel()
+        angle[~np.isfinite(valued(wave))] = angle[-1]  # the mean has no direction
         return wave, angle, qx.shape
 
     def _fall(self, wave: Waves, inside: Waves, angle: Waves) -> Waves:
         """Return by how much less than at the end of the atlas is left of longer waves."""
-        fall, long = np.ones(wave.shape), wave > inside
-        if np.any(long):
-            c = self._conditions
-            theta = np.radians(angle[long])
-            shares = np.cos(theta), np.sin(theta)
-            at, end = (
-                recommended_ratio(
-                    c.m,
-                    c.l,
-                    c.slender_gamma,
-                    *(np.where(s > 1e-9, w / np.maximum(s, 1e-9), 0) for s in shares),
-                )
-                for w in (np.minimum(wave[long], 1e9), inside[long])
+        long = wave > inside
+        if not np.any(long):
+            return np.ones(wave.shape)
+        wave, inside = wave[long], inside[long]
+        c, theta = self._conditions, np.radians(angle[long])
+        shares = np.cos(theta), np.sin(theta)
+        at, end = (
+            recommended_ratio(
+                c.m,
+                c.l,
+                c.slender_gamma,
+                *(np.where(s > 1e-9, w / np.maximum(s, 1e-9), 0) for s in shares),
             )
-            fall[long] = np.where(np.isfinite(wave[long]), at / end, 0)
-        return fall
+            for w in (np.minimum(wave, 1e9), inside)
+        )
+        return placed(long, np.where(np.isfinite(wave), at / end, 0), 1.0)
 
     def _lookup(self, angle: Waves) -> Callable[[Waves, Waves], Waves]:
         """Return the parts of the chart over ln wavelength and angle, or along a single angle."""
-        one = float(angle[-1]) if np.all(angle == angle[-1]) else None
+        one = to_float(angle[-1]) if np.all(angle == angle[-1]) else None
         key = "map" if one is None else f"{one:g}"
         if key not in self._lookups:
             logs = np.linspace(*np.log(WAVE_RANGE), WAVES)
@@ -189,23 +185,25 @@ class AtlasTransfer(Transfer):
                 self._lookups[key] = _between(logs, angles, parts)
             else:
                 fine = np.linspace(logs[0], logs[-1], REFINED * (WAVES - 1) + 1)
-                curves = [scipy.interpolate.CubicSpline(logs, part[:, 0])(fine) for part in parts]
-                self._lookups[key] = lambda log, _: np.stack(
-                    [np.interp(log, fine, curve) for curve in curves]
-                )
+                curves = [spline(logs, part[:, 0], fine) for part in parts]
+                self._lookups[key] = lambda log, _: [
+                    np.interp(log, fine, curve) for curve in curves
+                ]
         return self._lookups[key]
 
 
 def _between(logs: Waves, angles: Waves, parts: list[Waves]) -> Callable[[Waves, Waves], Waves]:
     """Return interpolation in tables over ln wavelength (rows) and angle, both evenly spaced."""
     rows, columns = (np.linspace(a[0], a[-1], REFINED * (a.size - 1) + 1) for a in (logs, angles))
+    step, count = rows[1] - rows[0], count_of(parts)
+    every = [*map(valued, parts), *(part_of(part, k) for k in range(count) for part in parts)]
     tables = [
-        scipy.interpolate.RectBivariateSpline(logs, angles, part)(rows, columns) for part in parts
+        scipy.interpolate.RectBivariateSpline(logs, angles, part)(rows, columns) for part in every
     ]
-    corners = np.stack(tables, axis=-1).reshape(-1, len(parts))
+    corners = np.stack(tables, axis=-1).reshape(-1, len(every))
 
     def interpolate(log: Waves, angle: Waves) -> Waves:
-        u, v = (log - rows[0]) / (rows[1] - rows[0]), angle / (columns[1] - columns[0])
+        u, v = (valued(log) - rows[0]) / step, angle / (columns[1] - columns[0])
         i = np.clip(u.astype(np.intp), 0, rows.size - 2)
         j = np.clip(v.astype(np.intp), 0, columns.size - 2)
         first = i * columns.size + j
@@ -216,8 +214,12 @@ def _between(logs: Waves, angles: Waves, parts: list[Waves]) -> Callable[[Waves,
             high *= v
             low += high
         found[2] -= found[0]
-        found[2] *= u
-        found[0] += found[2]
-        return np.asarray(found[0].T)
+        if not count:
+            found[2] *= u
+            found[0] += found[2]
+            return np.asarray(found[0].T)
+        slopes = (found[0] + found[2] * u).T.reshape(1 + count, len(parts), -1)
+        by_log = (found[2].T / step)[: len(parts)]
+        return Dual(slopes[0], slopes[1:]) + by_log * (log - valued(log))  # type: ignore[return-value]
 
     return interpolate

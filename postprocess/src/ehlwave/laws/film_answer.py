@@ -1,10 +1,10 @@
 """Films of a smooth contact by the laws of films and of heat."""
 
-import math
 from dataclasses import replace
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
+from ehlwave.duals import math, valued
 from ehlwave.errors import RangeError
 from ehlwave.laws.answers import Film, given_film
 from ehlwave.laws.film_laws import ChartAt, smooth_film
@@ -84,10 +84,10 @@ def film_of(
         minimum_m=minimum * scale if scale and knows_minimum else None,
         central_moes=central,
         minimum_moes=minimum,
-        central_error=film.central_error + more + c.starvation_error,
-        minimum_error=film.minimum_error + minimum_more if knows_minimum else math.nan,
+        central_error=valued(film.central_error + more + c.starvation_error),
+        minimum_error=valued(film.minimum_error + minimum_more) if knows_minimum else math.nan,
         friction=friction,
-        friction_error=friction_error,
+        friction_error=valued(friction_error),
         source=source,
         heated=by_heat,
         rolling_resistance_coefficient=None if rolling is None else rolling.coefficient,

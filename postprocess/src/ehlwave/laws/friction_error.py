@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.data_errors import EYRING_ERROR, OIL_ERRORS, film_change
+from ehlwave.duals import to_float
 from ehlwave.laws.sheared_film import Sliding
 
 
@@ -36,7 +37,7 @@ def error_by_data(
         Relative.
     """
     given = dict(conditions.given)
-    errors = [float(given.get(key, 0.0)) for key in (*OIL_ERRORS, EYRING_ERROR)]
+    errors = [to_float(given.get(key, 0.0)) for key in (*OIL_ERRORS, EYRING_ERROR)]
     errors.append(conductivity_error)
     if not any(errors):
         return 0.0

@@ -5,15 +5,14 @@ slight, B is about 1: friction goes as the mean of the viscosity, to which the p
 the ends of the contact contribute, not as the mean of its logarithm.
 """
 
-import math
-
-import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ellipe
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.medium import hertz_medium
 from ehlwave.contact.scales import first_integral, integral_combinations, moes_per_film
+from ehlwave.duals import math, np, to_float
+from ehlwave.error_bars import bar
 
 Floats = NDArray[np.float64]
 
@@ -32,13 +31,11 @@ SLIGHT_SLIP, SLIGHTEST_SLIP = 0.1, 1e-3
 """Deviations of S from 1: friction is less well known below the first, and below the second as
 little as there."""
 
-SLIGHT_SLIP_ERROR, THICKENED = 1.6, 10.0
+SLIGHT_SLIP_ERROR, THICKENED = bar("friction.slight_slip"), 10.0
 """Times M^(-1/2) the relative error of friction that slight slip adds at most, where alpha ph is
-the latter or more; in proportion below. 95 % of drawn contacts keep to it."""
-LINE_ERROR = 0.06
-"""Error of lines at any M: few contacts of their atlas slip so little. Without it 10 of 68 drawn
-lines with S within 0.00003 to 0.1 of 1 were outside their error, by up to 2.3 times.
-"""
+the latter or more; in proportion below."""
+LINE_ERROR = bar("friction.slight_slip_line")
+"""Error of lines at any M: few contacts of their atlas slip so little."""
 
 
 def slight_slip_error(conditions: Conditions) -> float:
@@ -72,7 +69,7 @@ def friction_outside(
     film = central_moes / moes_per_film(c.m, c.kappa)
     state = c.oil, c.kappa, c.alphabar, c.lambdabar, film, c.slip_parameter
     thinning = hertz_medium(*state).thinning
-    second = 1.0 if c.is_line else float(ellipe(1 - c.kappa**2))
+    second = 1.0 if c.is_line else to_float(ellipe(1 - c.kappa**2))
     radius_over_a = (1 + c.d) * modulus_pa / (4 * second * c.hertz_pa)
     farthest = max(FEWEST_DOMAINS, radius_over_a / DOMAIN_X)
     edges = np.geomspace(1, farthest, STEPS + 1)
@@ -87,7 +84,7 @@ def friction_outside(
         far = _far_film(c.kappa, end * times * along, end * times * across)
         area = end**2 * times * widths / ANGLES
     sheared = np.arcsinh(thinning * film / (film + far))
-    return WITH_DOWNSTREAM * float((sheared * area).sum()) / stress
+    return WITH_DOWNSTREAM * to_float((sheared * area).sum()) / stress
 
 
 def _far_line_film(x: Floats) -> Floats:

@@ -9,11 +9,12 @@ The warm inlet has a law of its own, :mod:`ehlwave.laws.inlet_warming`.
 from copy import copy
 from dataclasses import dataclass, replace
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
+from ehlwave.duals import np, to_float
+from ehlwave.error_bars import bar
 from ehlwave.laws import light_lines
 from ehlwave.laws.friction_error import error_by_data
 from ehlwave.laws.inlet_warming import inlet_factor, thermal_loading, wall_parameter
@@ -24,14 +25,13 @@ Floats = NDArray[np.float64]
 
 FRICTION_COEFFICIENTS = (0.21094, 0.58558, -0.099452, 0.40403, 0.2051, 0.35686, 39.566)
 """Coefficients of :func:`friction_factor`."""
-FRICTION_BAR, COLD_BAR = 0.12, 0.021
-"""Relative errors of friction with and without heat: 95 % of contacts held out are within. Errors
-of films come from :func:`ehlwave.laws.warm_films.film_error`."""
-ELLIPSE_BAR = 0.05
-"""More relative error of friction in ellipses: without it 4 of 32 fresh contacts are outside."""
-SOFT_FILMS, SOFT_FRICTION = 0.015, 0.08
-"""More relative error of films and friction of ellipses whose Eyring stress is below the fit: 2 of
-24 films of computed contacts are outside without, of ``scripts/study heat-ends``."""
+FRICTION_BAR, COLD_BAR = bar("heat.friction"), bar("heat.friction_cold")
+"""Relative errors of friction with and without heat. Errors of films come from
+:func:`ehlwave.laws.warm_films.film_error`."""
+ELLIPSE_BAR = bar("heat.ellipses")
+"""More relative error of friction in ellipses."""
+SOFT_FILMS, SOFT_FRICTION = bar("heat.soft_films"), bar("heat.soft_friction")
+"""More relative error of films and friction of ellipses whose Eyring stress is below the fit."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
@@ -54,7 +54,7 @@ surfaces do: at Peclet numbers from 0.3 and slide-to-roll ratios up to 1.8 the m
 central films by at most 0.4, smallest by 0.8 and friction by 0.2 times the error of the laws.
 """
 LOWEST_RATIO = 0.2
-THICK_BAR, THICK_FILM = 0.12, RANGES["film over Hertz approach"][1]
+THICK_BAR, THICK_FILM = bar("heat.thick_lines"), RANGES["film over Hertz approach"][1]
 """More relative error of friction of line contacts above this film over the Hertz approach."""
 LIGHT_M = 2.0
 """M of lines in the fit at least; lighter ones, and thicker films, have the errors of light lines.
@@ -138,7 +138,7 @@ def wedge(heat: Heat, slide_to_roll_ratio: float, rise_surfaces_k: float) -> flo
         of_first = 2 * (rises[0] - rises[1]) / sum(rises)
         d = heat.viscosity_temperature_per_k * rise_surfaces_k * of_first
         share = 0.5 if abs(d) < 1e-4 else 1 / d - 1 / np.expm1(d)
-        return float(1 + slide_to_roll_ratio * (share - 0.5))
+        return to_float(1 + slide_to_roll_ratio * (share - 0.5))
 
     first, second = (body.effusivity for body in heat.bodies)
     return oil_speed((1, 1)) / oil_speed((first, second))
@@ -173,9 +173,9 @@ def sliding_film(conditions: Conditions, eyring_stress_pa: float, film_m: float)
         hertz_pa=conditions.hertz_pa,
         semi_axis_a_m=conditions.semi_axis_a_m,
         film_m=film_m,
-        mean_speed_m_per_s=float(given["mean_speed_m_per_s"]),
+        mean_speed_m_per_s=to_float(given["mean_speed_m_per_s"]),
         slide_to_roll_ratio=conditions.slide_to_roll_ratio,
-        viscosity_pa_s=float(given["viscosity_pa_s"]),
+        viscosity_pa_s=to_float(given["viscosity_pa_s"]),
         pressure_viscosity_per_pa=conditions.oil.pressure_viscosity_per_pa,
         roelands_index=conditions.oil.roelands_index,
         eyring_stress_pa=eyring_stress_pa,
@@ -196,8 +196,8 @@ def warmed(
     whether the load hardly deforms the bodies.
     """
     given, ratio = dict(conditions.given), conditions.slide_to_roll_ratio
-    u, error = float(given["mean_speed_m_per_s"]), heat.oil_conductivity_error
-    over_c = film_m / float(conditions.hertz_approach_c_m or np.nan)
+    u, error = to_float(given["mean_speed_m_per_s"]), heat.oil_conductivity_error
+    over_c = film_m / to_float(conditions.hertz_approach_c_m or np.nan)
     is_light = conditions.is_line and (over_c > light_lines.THINNEST_FILM or conditions.m < LIGHT_M)
     is_rigid |= conditions.is_line and conditions.m < light_lines.LIGHT.load_parameter_m[0]
     softest = RANGES["eyring_stress_pa"][0]
@@ -207,13 +207,13 @@ def warmed(
     def inlet_of(heat: Heat) -> float:
         wall = wall_parameter(heat, film_m, conditions.semi_axis_a_m, u)
         warmth = loading_of(conditions, heat)
-        return float(inlet_factor(warmth, ratio, wall, over_c, conditions.d, conditions.m))
+        return to_float(inlet_factor(warmth, ratio, wall, over_c, conditions.d, conditions.m))
 
     def smallest_of(warmth: float) -> float:
-        return float(smallest_factor(inlet, warmth, over_c, conditions.is_line))
+        return to_float(smallest_factor(inlet, warmth, over_c, conditions.is_line))
 
     def errors_of(warmth: float) -> tuple[float, float]:
-        both = (float(film_error(inlet, warmth, of)) for of in ("central", "smallest"))
+        both = (to_float(film_error(inlet, warmth, of)) for of in ("central", "smallest"))
         more = light_lines.film_bar(1 - inlet, is_rigid) if is_light or is_rigid else 0.0
         more += SOFT_FILMS if is_soft else 0.0
         times = light_lines.OILY_FILMS if is_oily else 1.0
@@ -241,7 +241,7 @@ def warmed(
         if conditions.is_line:
             rise = heat.viscosity_temperature_per_k * found.rise_mid_film_k
             own = own * light_lines.light_factor(over_c, conditions.l, inlet, rise)
-        return float(own)
+        return to_float(own)
 
     cold = shear_isothermal(case)
     warm = shear_warm(replace(case, film_m=film_m * inlet), heat)
@@ -298,6 +298,6 @@ def _conducting(heat: Heat, factor: float) -> Heat:
 def loading_of(conditions: Conditions, heat: Heat) -> float:
     """Return L_T of a contact from dimensional data."""
     given = dict(conditions.given)
-    u, eta = (float(given[key]) for key in ("mean_speed_m_per_s", "viscosity_pa_s"))
+    u, eta = (to_float(given[key]) for key in ("mean_speed_m_per_s", "viscosity_pa_s"))
     beta, k = heat.viscosity_temperature_per_k, heat.oil_conductivity_w_per_m_k
-    return float(thermal_loading(eta, beta, u, k))
+    return to_float(thermal_loading(eta, beta, u, k))

@@ -2,10 +2,9 @@
 
 from collections.abc import Mapping, Sequence
 
-import numpy as np
-
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
+from ehlwave.duals import np, to_float
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.laws import inlet_coefficients as inlet
 from ehlwave.laws.heat_laws import LOWEST_RATIO, RANGES, Heated, loading_of, warmed
@@ -131,7 +130,7 @@ def quantities(
         "roelands_index": [oil.roelands_index],
         "eyring_stress_pa": [] if stress_pa is None else [stress_pa],
         "abs(slide_to_roll_ratio)": [abs(conditions.slide_to_roll_ratio)],
-        "film over Hertz approach": [film_m / float(conditions.hertz_approach_c_m or np.nan)],
+        "film over Hertz approach": [film_m / to_float(conditions.hertz_approach_c_m or np.nan)],
         "eta0 beta u^2/k": [loading_of(conditions, heat)],
         "effusivity of a body": [body.effusivity for body in heat.bodies],
         "Peclet number of a surface": _peclet_numbers(conditions, heat),
@@ -152,8 +151,8 @@ def outside(
 
 def _peclet_numbers(conditions: Conditions, heat: Heat) -> list[float]:
     """Return u a rho c/(2 k) of both surfaces: their motion against conduction along it."""
-    mean = float(dict(conditions.given)["mean_speed_m_per_s"])
-    product = mean * float(conditions.semi_axis_a_m or np.nan)
+    mean = to_float(dict(conditions.given)["mean_speed_m_per_s"])
+    product = mean * to_float(conditions.semi_axis_a_m or np.nan)
     shares = (conditions.slip_parameter, 2 - conditions.slip_parameter)
     return [body.peclet(s * product) for body, s in zip(heat.bodies, shares, strict=True)]
 

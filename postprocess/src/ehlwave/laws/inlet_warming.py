@@ -6,11 +6,11 @@ module and for ``ehlwave-case``, which warns by the same numbers.
 
 from dataclasses import dataclass
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
+from ehlwave.duals import np, to_float
 from ehlwave.errors import SurfaceError
 from ehlwave.laws import inlet_coefficients as table
 
@@ -103,7 +103,7 @@ def wall_parameter(heat: Heat, film_m: float, semi_axis_a_m: float, speed_m_per_
 def _wall(
     k: float, slow: float, film_m: float, semi_axis_a_m: float, speed_m_per_s: float
 ) -> float:
-    return float(k / film_m * (semi_axis_a_m / speed_m_per_s) ** 0.5 * slow)
+    return to_float(k / film_m * (semi_axis_a_m / speed_m_per_s) ** 0.5 * slow)
 
 
 def inlet_factor(
@@ -206,21 +206,21 @@ def inlet_warming(
         raise SurfaceError(
             "inlet_warming: needs dimensional conditions (viscosity_pa_s, ...), not M, L and D"
         )
-    u, eta = (float(given[key]) for key in ("mean_speed_m_per_s", "viscosity_pa_s"))
+    u, eta = (to_float(given[key]) for key in ("mean_speed_m_per_s", "viscosity_pa_s"))
     if heat is None:
         beta, k, slow = table.USUAL_BETA, table.USUAL_CONDUCTIVITY, 1 / table.USUAL_EFFUSIVITY
     else:
         beta, k = heat.viscosity_temperature_per_k, heat.oil_conductivity_w_per_m_k
         slow = sum(0.5 / body.effusivity for body in heat.bodies)
     ratio, thick = conditions.slide_to_roll_ratio, film / conditions.hertz_approach_c_m
-    loading = float(thermal_loading(eta, beta, u, k))
+    loading = to_float(thermal_loading(eta, beta, u, k))
     wall = _wall(k, slow, film, conditions.semi_axis_a_m, u)
-    factor = float(inlet_factor(loading, ratio, wall, thick, conditions.d, conditions.m))
+    factor = to_float(inlet_factor(loading, ratio, wall, thick, conditions.d, conditions.m))
     error: float | None = loss_error(1 - factor, ratio)
     if not _is_within(conditions, loading, thick, ratio):
-        over_modulus = conditions.hertz_pa / float(given["reduced_modulus_pa"])
+        over_modulus = conditions.hertz_pa / to_float(given["reduced_modulus_pa"])
         factor, error = min(factor, _gupta(loading, ratio, over_modulus)), None
-    return InletWarming(1 - factor, error, -float(np.log(factor)) / (FILM_EXPONENT * beta))
+    return InletWarming(1 - factor, error, -to_float(np.log(factor)) / (FILM_EXPONENT * beta))
 
 
 def _is_within(conditions: Conditions, loading: float, thick: float, ratio: float) -> bool:

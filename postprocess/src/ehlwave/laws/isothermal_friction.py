@@ -2,6 +2,7 @@
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.scales import moes_per_film
+from ehlwave.duals import to_float
 from ehlwave.laws.friction_error import error_by_data
 from ehlwave.laws.heat_laws import COLD_BAR, friction_factor
 from ehlwave.laws.sheared_film import Sliding, shear_isothermal
@@ -18,7 +19,7 @@ def isothermal_error_by_data(
     with u and h by M, L and D: 2U = (L/(alpha E'))^4 = 2 eta0 u/(E' Rx), h = H Rx (2U)^(1/2).
     """
     oil = conditions.oil
-    modulus = float(oil.stress_modulus_pa2 or 0.0) / eyring_stress_pa
+    modulus = to_float(oil.stress_modulus_pa2 or 0.0) / eyring_stress_pa
     speed_2u = (conditions.l / (oil.pressure_viscosity_per_pa * modulus)) ** 4
     case = Sliding(
         hertz_pa=conditions.hertz_pa,
@@ -39,7 +40,7 @@ def isothermal_error_by_data(
         found, over_c = shear_isothermal(one), film_moes / per_film * one.film_m / case.film_m
         stress = found.friction * one.hertz_pa / one.eyring_stress_pa
         ratio = one.slide_to_roll_ratio
-        return found.friction * float(friction_factor(over_c, c.is_line, stress, 0.0, ratio))
+        return found.friction * to_float(friction_factor(over_c, c.is_line, stress, 0.0, ratio))
 
     # A ratio of two frictions, each within the bar of the law.
     return (1 + 2 * COLD_BAR) * error_by_data(conditions, case, friction)

@@ -6,12 +6,12 @@ Every door of the package asks here: films, responses, surfaces, stresses, comma
 from __future__ import annotations
 
 import contextlib
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from ehlwave.choices import LAWS, chosen
 from ehlwave.contact.conditions import Conditions
+from ehlwave.duals import math
 from ehlwave.errors import ProgramError, RangeError, SurfaceError, see
 from ehlwave.inputs.slip import RATIO, ratio_of
 from ehlwave.laws.answers import Film

@@ -1,8 +1,7 @@
 """Response of a contact to a wave: a surface with a single component."""
 
-import numpy as np
-
 from ehlwave.contact.conditions import Conditions
+from ehlwave.duals import np, to_complex, to_float
 from ehlwave.errors import RangeError
 from ehlwave.laws.answers import Response
 from ehlwave.laws.transfer import EXTRAPOLATED, Transfer, Waves
@@ -37,9 +36,9 @@ def response_of(
         )
     error = transfer.error(qx, qy)
     return Response(
-        film=complex(transfer.ratio(qx, qy)[0]),
-        pressure=complex(transfer.pressure(qx, qy)[0]),
-        error=float("nan") if error is None else float(error[0]),
+        film=to_complex(transfer.ratio(qx, qy)[0]),
+        pressure=to_complex(transfer.pressure(qx, qy)[0]),
+        error=float("nan") if error is None else to_float(error[0]),
         source=transfer.name,
         has_phase=transfer.has_phase,
     )
@@ -48,6 +47,6 @@ def response_of(
 def one_wave(wavelength_m: float, angle_deg: float) -> tuple[Waves, Waves]:
     """Return waves per metre along x and y of a wave, as arrays of a single number."""
     angle = np.radians(angle_deg)
-    along = 0.0 if angle_deg >= 90 else float(np.cos(angle))
-    across = 0.0 if angle_deg == 0 else float(np.sin(angle))
+    along = 0.0 if angle_deg >= 90 else to_float(np.cos(angle))
+    across = 0.0 if angle_deg == 0 else to_float(np.sin(angle))
     return np.array([along / wavelength_m]), np.array([across / wavelength_m])

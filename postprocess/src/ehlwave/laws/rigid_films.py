@@ -8,15 +8,16 @@ the integral of alpha p over the contact times sqrt(2 H)/L of lines, 2 H/(L sqrt
 see :mod:`ehlwave.laws.rigid_profiles`.
 """
 
-import math
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
-import numpy as np
 import scipy
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.oils import log_viscosity
 from ehlwave.contact.scales import moes_per_film
+from ehlwave.duals import Dual, count_of, math, np, root, to_float, valued
+from ehlwave.error_bars import bar
 from ehlwave.laws.atlas.chart import SmoothFilm
 from ehlwave.laws.atlas.coordinates import hertz_film
 from ehlwave.laws.atlas.ranges import LINE_RANGES, THICKEST_FILM, WIDE_RANGES
@@ -41,12 +42,10 @@ class Deformed(NamedTuple):
     error_by_growth: float
 
 
-LINE = Deformed(0.6, 0.015, 0.4)
-"""Set on 15 contacts of ehlwave-case, M = 0.06 to 0.4 and L = 2 to 20; 54 drawn afresh, M = 0.02 to
-0.4 and L = 2 to 25, are within 0.21 times the error."""
-ELLIPSE = Deformed(0.08, 0.01, 0.2)
-"""Set on 51 contacts of ehlwave-case, D = 0.012 to 1, L = 2 to 42, up to 10 Hertz approaches thick;
-60 drawn afresh, up to 20 Hertz approaches, are within 0.42 times the error."""
+LINE = Deformed(0.6, bar("rigid_films.line"), bar("rigid_films.line_by_growth"))
+"""Set on contacts of ehlwave-case, M = 0.06 to 0.4 and L = 2 to 20."""
+ELLIPSE = Deformed(0.08, bar("rigid_films.ellipse"), bar("rigid_films.ellipse_by_growth"))
+"""Set on contacts of ehlwave-case, D = 0.012 to 1, L = 2 to 42, up to 10 Hertz approaches thick."""
 
 
 def is_rigid(conditions: Conditions) -> bool:
@@ -58,7 +57,7 @@ def is_rigid(conditions: Conditions) -> bool:
         return LOWEST_M <= c.m < HIGHEST_M
     if c.l > HIGHEST_L or c.m < LOWEST_ELLIPSE_M:
         return False
-    return float(hertz_film(c.m, c.l, c.d)) > THICKEST_FILM
+    return to_float(hertz_film(c.m, c.l, c.d)) > THICKEST_FILM
 
 
 def rigid_film(conditions: Conditions) -> SmoothFilm:
@@ -89,17 +88,34 @@ def rigid_film(conditions: Conditions) -> SmoothFilm:
     alpha_q = np.append(0.0, np.cumsum(np.diff(alpha_p) * means))
     rises = np.append(True, np.diff(alpha_q) > 0)  # until the oil hardly flows
     parts = alpha_q[rises], alpha_p[rises], 1 / fluidity[rises]
-    pressure = scipy.interpolate.CubicHermiteSpline(*parts)
+    pressure = _curve(*parts)
 
     def load(film: float) -> float:
         found = pressure(np.minimum(c.l * q / (math.sqrt(2) * film**1.5), alpha_q[-1]))
         factor = math.sqrt(2 * film) if c.is_line else 2 * film / math.sqrt(c.d)
-        return factor / c.l * float((found * weights).sum())
+        return factor / c.l * to_float((found * weights).sum())
 
-    even = float((q * weights).sum()) / c.m  # with constant viscosity, the thinnest film
+    even = to_float((q * weights).sum()) / c.m  # with constant viscosity, the thinnest film
     thinnest = even if c.is_line else 2 * even**2 / c.d
-    film = float(scipy.optimize.brentq(lambda h: load(h) - c.m, 0.99 * thinnest, 100 * thinnest))
+    film = root(lambda h: load(h) - c.m, 0.99 * thinnest, 100 * thinnest)
     deformation = moes_per_film(c.m, c.kappa) / film
     film *= 1 + of_shape.growth * deformation
     error = of_shape.error + of_shape.error_by_growth * deformation + c.film_loss
     return SmoothFilm(film, film, error, error)
+
+
+def _curve(x: Any, y: Any, slopes: Any) -> Callable[[Any], Any]:  # noqa: ANN401 - perhaps Duals
+    """Return y between points, by a cubic spline with slopes there.
+
+    Where x changes with parameters and y does not, y at a place falls by slope times change.
+    """
+    plain = scipy.interpolate.CubicHermiteSpline(*map(valued, (x, y, slopes)))
+    moves = scipy.interpolate.CubicSpline(x.value, x.slopes, axis=1) if count_of(x) else None
+
+    def curve(at: Any) -> Any:  # noqa: ANN401
+        if not isinstance(at, Dual):
+            return plain(at)
+        moved = at.slopes - (moves(at.value) if moves else 0.0)
+        return Dual(plain(at.value), plain(at.value, 1) * moved)
+
+    return curve

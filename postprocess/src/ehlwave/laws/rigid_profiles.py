@@ -12,6 +12,8 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from ehlwave.duals import Dual, valued
+
 Floats = NDArray[np.float64]
 
 OUTLET = 0.4753868
@@ -43,7 +45,6 @@ def line_profile() -> Profile:
     return Profile(q, np.gradient(theta) / np.cos(theta) ** 2)
 
 
-@lru_cache(maxsize=256)
 def ellipse_profile(radius_ratio_d: float) -> Profile:
     """Return Q of an elliptical contact, by finite volumes that are even in two angles.
 
@@ -52,6 +53,25 @@ def ellipse_profile(radius_ratio_d: float) -> Profile:
     radius_ratio_d : float
         D = Rx/Ry.
     """
+    matrix, _, _, weights = _equations(float(valued(radius_ratio_d)))
+    q = _known_pressures(float(valued(radius_ratio_d)))
+    if not isinstance(radius_ratio_d, Dual):
+        return Profile(q, weights)
+    full = np.flatnonzero(q > 0)
+    by_d = (_equations(1.0)[0] - _equations(0.0)[0]) @ q  # the matrix is linear in D
+    slope = np.zeros_like(q)
+    slope[full] = -scipy.sparse.linalg.spsolve(matrix[full][:, full].tocsc(), by_d[full])
+    return Profile(Dual(q, radius_ratio_d.slopes[:, None] * slope), weights)
+
+
+@lru_cache(maxsize=256)
+def _known_pressures(radius_ratio_d: float) -> Floats:
+    matrix, source, start, _ = _equations(radius_ratio_d)
+    return _with_rupture(matrix, source, start)
+
+
+def _equations(radius_ratio_d: float) -> tuple[scipy.sparse.csr_array, Floats, Floats, Floats]:
+    """Return A and s of A q = s, the places of a first guess, and the weights of a sum."""
     last = math.pi / 2 * FARTHEST
     x, xi = _faces_and_centres(np.linspace(-last, math.atan(LAST_XI), CELLS[0] + 1))
     y, zeta = _faces_and_centres(np.linspace(0, last, CELLS[1] + 1))
@@ -72,7 +92,7 @@ def ellipse_profile(radius_ratio_d: float) -> Profile:
     ).tocsr()
     source = np.broadcast_to(-12 * np.diff(x**2)[:, None] * dy, diagonal.shape).ravel()
     start = np.broadcast_to(xi[:, None] < OUTLET, diagonal.shape).ravel()
-    return Profile(_with_rupture(matrix, source, start), 2 * (dx * dy).ravel())
+    return matrix, source, start, 2 * (dx * dy).ravel()
 
 
 def _faces_and_centres(angles: Floats) -> tuple[Floats, Floats]:

@@ -7,17 +7,15 @@ force times mean speed. Flooded, isothermal; fitted from M = 0.2 to 200 (lines) 
 of 4 to 16.
 """
 
-import math
 from typing import NamedTuple
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.scales import ellipticity, integral_combinations
+from ehlwave.duals import math, to_float
+from ehlwave.error_bars import bar
 
-LINE_ERROR, POINT_ERROR = 0.18, 0.55
-"""Relative. Twelve contacts of ``ehlwave-case`` (M of 1.8 to 4,300, L of 8 to 16, D of 0 and 0.033
-to 1) with oil out to Rx are 0 to 10 % above the formula of lines, 14 to 52 % above the formula of
-points; at M = 5 lines are 15 % above (theory, after (T14)). With little oil around the contact
-points lie below the formula. A test has the values."""
+LINE_ERROR, POINT_ERROR = bar("rolling.line"), bar("rolling.point")
+"""Relative (theory, after (T14)). A test has computed values."""
 
 
 class Rolling(NamedTuple):
@@ -102,15 +100,15 @@ def rolling_of(conditions: Conditions, film_factor: float = 1.0) -> Rolling | No
     c, given = conditions, dict(conditions.given)
     if "viscosity_pa_s" not in given or c.is_starved:
         return None
-    radius_x = float(given["radius_x_m"])
-    load = float(given["load_n_per_m"] if c.is_line else given["load_n"])
+    radius_x = to_float(given["radius_x_m"])
+    load = to_float(given["load_n_per_m"] if c.is_line else given["load_n"])
     force = film_factor * rolling_force(
         load,
         radius_x,
         math.inf if c.is_line else radius_x / c.d,
-        float(given["reduced_modulus_pa"]),
-        float(given["viscosity_pa_s"]),
-        float(given["mean_speed_m_per_s"]),
+        to_float(given["reduced_modulus_pa"]),
+        to_float(given["viscosity_pa_s"]),
+        to_float(given["mean_speed_m_per_s"]),
         1.0 if c.is_line else None,
     )
     return Rolling(force / load, force, LINE_ERROR if c.is_line else POINT_ERROR)

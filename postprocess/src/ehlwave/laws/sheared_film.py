@@ -8,12 +8,12 @@ heat that passed before, (T16). Friction is the integral of the stress over the 
 from dataclasses import dataclass
 from functools import cache
 
-import numpy as np
 from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from ehlwave.contact.heat_data import Heat
 from ehlwave.contact.oils import ROELANDS_PA, log_viscosity
+from ehlwave.duals import np, to_float
 
 Floats = NDArray[np.float64]
 
@@ -93,11 +93,11 @@ def shear_warm(case: Sliding, heat: Heat) -> Sheared:
         stress, rise, log_a = _local(case, heat, pressure, at_walls, log_a)
         lengths = np.sqrt(case.semi_axis_a_m * np.sqrt(_strips(case)[0]))[:, None]
         warmed = spread * lengths * (stress * case.sliding_m_per_s @ _half_order().T)
-        at_walls += 0.5 * (warmed - at_walls)
+        at_walls = at_walls + 0.5 * (warmed - at_walls)
     friction = _friction(case, stress, weight)
     middle = PLACES // 2
-    walls = float(at_walls[0, middle])
-    return Sheared(friction, walls + float(rise[0, middle]), walls)
+    walls = to_float(at_walls[0, middle])
+    return Sheared(friction, walls + to_float(rise[0, middle]), walls)
 
 
 def _strips(case: Sliding) -> tuple[Floats, Floats]:
@@ -127,7 +127,7 @@ def _friction(case: Sliding, stress: Floats, weight: Floats) -> float:
     """Return the integral of the stress over the load."""
     load = {True: np.pi / 2, False: 2 * np.pi / 3}[case.is_line] * case.hertz_pa
     area = 2.0 if case.is_line else np.pi
-    return float(np.sum(stress * weight) / np.sum(weight) * area / load)
+    return to_float(np.sum(stress * weight) / np.sum(weight) * area / load)
 
 
 @cache
@@ -149,7 +149,7 @@ def _wall_factor(case: Sliding, heat: Heat) -> float:
     )
     through = k / case.film_m * MEAN_BAND * (2 * a) ** 0.5
     share = (0.5 + through * two) / (1 + through * (one + two))
-    return float((share * one + (1 - share) * two) / 2 / np.pi**0.5)
+    return to_float((share * one + (1 - share) * two) / 2 / np.pi**0.5)
 
 
 def _log_viscosity(
@@ -157,7 +157,7 @@ def _log_viscosity(
 ) -> tuple[Floats, Floats]:
     """Return ln eta and its fall with temperature, 1/K, by Roelands."""
     alpha, z = case.pressure_viscosity_per_pa, case.roelands_index
-    start = float(np.log(case.viscosity_pa_s))
+    start = to_float(np.log(case.viscosity_pa_s))
     if heat is None:
         return start + log_viscosity(alpha, z, pressure), np.zeros_like(pressure)
     scale, above = alpha * ROELANDS_PA / z, heat.temperature_k - ROELANDS_K

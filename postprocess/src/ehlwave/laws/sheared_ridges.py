@@ -20,11 +20,11 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.medium import Medium, hertz_medium
+from ehlwave.duals import np, to_float
 from ehlwave.laws.transfer import OfTwo, Transfer, Waves
 
 Complex = NDArray[np.complex128]
@@ -59,14 +59,14 @@ def gained(conditions: Conditions, film: float, wavelength_over_a: ArrayLike) ->
     ky = 2 * np.pi / np.asarray(wavelength_over_a, dtype=np.float64)
     nodes, weights = np.polynomial.legendre.leggauss(PLACES)
     share = (nodes + 1) / 2
-    found = np.zeros_like(ky)
+    found = 0.0 * ky
     for place, weight in zip(START * (1 - share), weights / 2 * -START, strict=True):
-        pressure = float(np.sqrt(1 - place**2))
+        pressure = to_float(np.sqrt(1 - place**2))
         sliding, rolling = (
             _rate(_medium(conditions, film, slip, pressure), ky)
             for slip in (conditions.slip_parameter, 1.0)
         )
-        found += weight * (sliding - rolling)
+        found = found + weight * (sliding - rolling)
     return np.maximum(found, 0.0)
 
 

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
+from ehlwave.duals import np, placed
 from ehlwave.laws.transfer import OfTwo, Transfer, Waves
 
 
@@ -59,8 +59,4 @@ class StandingRidges(OfTwo):
         standing = getattr(self.standing, kind)(qx[stands], qy[stands])
         if standing is None or (moving is None and not stands.all()):
             return None
-        found = np.zeros(qx.shape, np.asarray(standing).dtype)
-        if moving is not None:
-            found = np.array(moving, np.result_type(moving, standing))
-        found[stands] = standing
-        return found
+        return placed(stands, standing, 0 if moving is None else moving)

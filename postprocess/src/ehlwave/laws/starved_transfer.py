@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from ehlwave.contact.conditions import Conditions
@@ -17,6 +16,7 @@ from ehlwave.contact.starvation import (
     ratio_error,
     starved_ratio,
 )
+from ehlwave.duals import np
 from ehlwave.errors import RangeError
 from ehlwave.laws.transfer import EXTRAPOLATED, Transfer, Waves
 

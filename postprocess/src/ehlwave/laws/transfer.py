@@ -6,11 +6,9 @@ counted on the surface along its motion, the deformed component is the transfer 
 exponential. A transfer is even in qy, and its conjugate at (-qx, -qy): it returns real surfaces.
 """
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from ehlwave.contact.conditions import Conditions
@@ -22,6 +20,7 @@ from ehlwave.contact.formula import (
     f_of_r,
     recommended_ratio,
 )
+from ehlwave.duals import math, np
 from ehlwave.errors import SurfaceError
 
 Waves = NDArray[np.float64]

@@ -7,7 +7,6 @@ other; at other places their phases differ.
 
 from dataclasses import dataclass
 
-import numpy as np
 from numpy.typing import NDArray
 
 from ehlwave.contact.conditions import Conditions
@@ -20,6 +19,7 @@ from ehlwave.contact.two_waves import (
     TwoWaves,
     two_waves,
 )
+from ehlwave.duals import np, placed
 from ehlwave.errors import SurfaceError
 from ehlwave.laws.sheared_ridges import ridges_under_slip
 from ehlwave.laws.transfer import LawBasis, Waves
@@ -61,18 +61,16 @@ class TwoWaveTransfer(LawBasis):
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
         """Return the transfer for waves per metre along x (any sign) and y."""
         along, across = np.broadcast_arrays(per_length_x, np.abs(per_length_y))
-        value = np.zeros(along.shape, dtype=np.complex128)
         moves = along != 0
-        value[moves] = self.waves(np.abs(along[moves]), across[moves]).at(0.0)
-        value.imag *= np.sign(along)
+        moving = self.waves(np.abs(along[moves]), across[moves]).at(0.0)
+        value = placed(moves, moving.real + 1j * (moving.imag * np.sign(along[moves])))
         stands = ~moves & (across > 0)
         contact = self.conditions
         point = (contact.m, contact.l, contact.gamma)
         ridges = self._wavelength(across[stands])
         film = contact.medium(1.0).h
         rolling = rolling_transfer(*point, 0.0, ridges)
-        value[stands] = ridges_under_slip(contact, film, ridges, rolling)[0]
-        return value
+        return placed(stands, ridges_under_slip(contact, film, ridges, rolling)[0], value)
 
     def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
         """Return the error of the law for this oil; None outside the conditions of its fit."""

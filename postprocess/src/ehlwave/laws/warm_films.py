@@ -11,8 +11,9 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from ehlwave.duals import np
 
 Floats = NDArray[np.float64]
 

@@ -106,8 +106,8 @@ class Contact(RoughContact):
         Parameters
         ----------
         by : {"laws", "computed"}, optional
-            As of :meth:`film`: the laws, by differences within a law and a chart of the atlas, or
-            the gradients of ``ehlwave-case``.
+            As of :meth:`film`: the laws, which are differentiated exactly within the law and the
+            chart of the atlas that answer, or the gradients of ``ehlwave-case``.
 
         Returns
         -------
@@ -143,7 +143,7 @@ class Contact(RoughContact):
         Parameters
         ----------
         surface : Surface, path, array or topography, optional
-            With it, the lambda ratio of :meth:`lambda_ratio` is among the results.
+            With it, the lambda ratio of :meth:`lambda_ratio` is among the results, by the laws.
         by : {"laws", "computed"}, optional
             As of :meth:`sensitivities`.
         **options
@@ -161,6 +161,8 @@ class Contact(RoughContact):
         ------
         SurfaceError
             If no error of data is given.
+        RangeError
+            A ValueError: as of :meth:`sensitivities`, or no law has the lambda ratio.
 
         Examples
         --------

@@ -1,18 +1,18 @@
 """Derivatives of a contact's results by its keys, and what errors of the keys do to the results."""
 
 import math
-import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pandas as pd
 
 from ehlwave.choices import FILM_BY, chosen_or_none
-from ehlwave.contact.data_errors import OF_ERRORS
-from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
+from ehlwave.contact.data_errors import DATA_ERRORS, OF_ERRORS
+from ehlwave.duals import Dual, log_slopes, seeded
+from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.inputs.key_classes import HEAT_DATA
-from ehlwave.laws.slopes import Answer, law_of, slopes_of
+from ehlwave.quantities import number
 
 if TYPE_CHECKING:
     from ehlwave.laws.answers import Film
@@ -37,6 +37,7 @@ KEYS = (
 )
 CELLS, LINE_CELLS = 128, 512
 """Cells of computed contacts whose input has none."""
+ONLY_LAWS = "an error budget has the lambda ratio by the laws alone"
 WARM = (
     "derivatives with heat are known of its laws alone, not of computed contacts, whose "
     "temperatures are marched: leave out heat, or keep to the range of the laws"
@@ -49,7 +50,7 @@ def sensitivities(contact: "SmoothContact", by: str | None = None) -> pd.DataFra
     keys, refusal = _keys(contact), None
     if by != "computed":
         try:
-            rows = {key: _slope(contact, key, value, _by_laws) for key, value in keys.items()}
+            rows = _by_laws(contact, keys)
         except RangeError as error:
             if by == "laws":
                 raise
@@ -74,14 +75,8 @@ def error_budget(
         )
     powers = sensitivities(contact, by).reindex(list(errors))
     if surface is not None:
-        keys, law = _keys(contact), None if by == "computed" else by
-
-        def ratio(other: Any) -> Answer:  # noqa: ANN401 - a Contact
-            laws = other.film(law).source, other.transfer(law).name
-            found = other.lambda_ratio(surface, by=law, **options)
-            return {LAMBDA: found}, "; ".join(map(law_of, laws))
-
-        powers[LAMBDA] = [_slope(contact, key, keys[key], ratio)[LAMBDA] for key in errors]
+        keys = {key: value for key, value in _keys(contact).items() if key in errors}
+        powers[LAMBDA] = pd.Series(_lambda_powers(contact, keys, surface, **options))
     table = pd.DataFrame({"error": errors})
     for name in powers:
         if powers[name].notna().any():
@@ -107,39 +102,54 @@ def given_errors(contact: "SmoothContact") -> dict[str, float]:
 def _keys(contact: "SmoothContact") -> dict[str, float]:
     """Return the numbers that the results depend on; those of pure rolling without their slip."""
     given = {**DEFAULTS, **contact._keys}
-    found = {key: float(given[key]) for key in KEYS if key in given and float(given[key])}
+    found = {key: number(given[key], key) for key in KEYS if key in given}
+    found = {key: value for key, value in found.items() if value}
     if str(given.get("viscosity_law", "roelands")) != "roelands":
         found.pop("roelands_index", None)
     return found
 
 
-def _slope(
-    contact: "SmoothContact",
-    key: str,
-    value: float,
-    answer: Callable[["SmoothContact"], Answer],
+def _lambda_powers(
+    contact: Any,  # noqa: ANN401 - a Contact
+    keys: Mapping[str, float],
+    surface: Any,  # noqa: ANN401
+    second: Any = None,  # noqa: ANN401
+    **options: Any,  # noqa: ANN401
 ) -> dict[str, float]:
-    """Return d ln(result)/d ln(key) of all results."""
+    """Return d ln(lambda ratio)/d ln(key) by the laws."""
+    from ehlwave.surface.lambda_slopes import lambda_with_slopes
 
-    def at(change: float) -> Answer:
-        other = contact.replace(**{key: value * math.exp(change)}) if change else contact
-        numbers, source = answer(other)
-        logs = {name: math.log(abs(one)) if one else math.nan for name, one in numbers.items()}
-        return logs, source
+    if options.get("transfer") is not None or contact._table is not None:
+        raise RangeError(f"{ONLY_LAWS}: give neither transfer nor a table, or no surface")
+    contacts, surfaces = [contact], [surface]
+    if second is not None:
+        contacts, surfaces = [contact, contact.exchanged()], [surface, second]
+    try:
+        found = [
+            one._deformed(own, "laws", **options)
+            for one, own in zip(contacts, surfaces, strict=True)
+        ]
+    except RangeError as error:
+        raise RangeError(f"{ONLY_LAWS}; leave the surface out. The laws: {error}") from error
+    varied = contact.replace(**dict.fromkeys(DATA_ERRORS), **seeded(keys))
+    both = [varied, varied.exchanged()][: len(found)]
+    film = varied._filmed("laws")[0].central_film_m
+    if not isinstance(film, Dual):  # given
+        film = film + 0 * next(iter(seeded(keys).values()))
+    ratio = lambda_with_slopes(found, film, [one._transfer(None, "laws") for one in both])
+    return dict(zip(keys, log_slopes(ratio, len(keys)), strict=True))
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ExtrapolationWarning)
-        return slopes_of(at)
 
-
-def _by_laws(contact: "SmoothContact") -> Answer:
-    film: Film = contact._film("laws")
+def _by_laws(contact: "SmoothContact", keys: Mapping[str, float]) -> dict[str, dict[str, float]]:
+    contact._film("laws")  # refuses with numbers
+    sure = dict.fromkeys(DATA_ERRORS)
+    film: Film = contact.replace(**sure, **seeded(keys))._film("laws")
     in_metres = film.central_m is not None
     central = film.central_m if in_metres else film.central_moes
     minimum = film.minimum_m if in_metres else film.minimum_moes
     found = {"central_film": central, "minimum_film": minimum, "friction": film.friction}
-    numbers = {name: math.nan if value is None else value for name, value in found.items()}
-    return numbers, film.source
+    powers = {name: log_slopes(value, len(keys)) for name, value in found.items()}
+    return {key: {name: of[k] for name, of in powers.items()} for k, key in enumerate(keys)}
 
 
 def _by_program(

@@ -17,9 +17,8 @@ give the rise of every component to second order, with elastic deformation in th
 chosen so that both agree. The film is hardly sensitive to H_b, as crests lift it.
 """
 
-import numpy as np
-import scipy
-
+from ehlwave.duals import Dual, np, root, to_float, valued
+from ehlwave.error_bars import bar
 from ehlwave.surface.surface import Heights
 
 BINS = 400
@@ -47,18 +46,14 @@ much: they pass the inlet only now and then.
 SMALL_RISE = 0.1
 """Second-order rise over the smooth film up to which it is used as it is."""
 
-ERRORS = {True: (0.01, 0.06), False: (0.03, 0.16)}
-"""Relative error of lines (True) and of points: a part, and a part per mean square of the deformed
-heights over the smooth film (``record/touching/films.jsonl``)."""
-
 FLOOR = 0.02
 """Boundary film over the smooth film where none is given."""
 
 
 def averaged_error(rq: float, *, is_line: bool) -> float:
     """Return the relative error of the mean film; `rq` deformed, over the smooth film."""
-    part, by_square = ERRORS[is_line]
-    return part + by_square * rq**2
+    shape = "line" if is_line else "point"
+    return bar(f"averaged_film.{shape}") + bar(f"averaged_film.{shape}_by_square") * rq**2
 
 
 def is_covered(ratio: float, crest: float, rq: float, rise: float) -> bool:
@@ -96,19 +91,23 @@ def averaged_film(heights: Heights, rise: float, boundary: float = FLOOR) -> flo
     boundary : float
         Boundary film over the smooth film, above 0.
     """
-    about_mean = heights - float(np.mean(heights, dtype=np.float64))
-    share = _share(rise, float(np.std(heights, dtype=np.float64)))
-    counts, edges = np.histogram(-about_mean, BINS)
+    about_mean = heights - to_float(np.mean(heights, dtype=np.float64))
+    share = _share(rise, to_float(np.std(heights, dtype=np.float64)))
+    counts, edges = np.histogram(-valued(about_mean), BINS)
     gain, weight = 0.5 * (edges[1:] + edges[:-1]), counts / counts.sum()
+    if isinstance(about_mean, Dual):  # a class moves as its heights do on average
+        place = np.clip(np.searchsorted(edges, -about_mean.value.ravel(), "right") - 1, 0, BINS - 1)
+        moved = [np.bincount(place, -one.ravel(), BINS) for one in about_mean.slopes]
+        gain = Dual(gain, np.stack(moved) / np.maximum(counts, 1))
     smooth = float((_GAPS * (1 + _GAPS) ** -3 * _STRETCH).sum())
 
     def mean_film(film: float) -> float:
-        return float(np.maximum(film + gain, boundary) @ weight)
+        return to_float(np.maximum(film + gain, boundary) @ weight)
 
     def excess(film: float) -> float:
         gap = np.maximum((film + _GAPS)[:, None] + gain, boundary)
         resistance = (gap**-3.0 @ weight) ** share * (gap**3 @ weight) ** (share - 1)
         wedge = gap @ weight - mean_film(film)
-        return float(np.log((wedge * resistance * _STRETCH).sum() / smooth))
+        return to_float(np.log((wedge * resistance * _STRETCH).sum() / smooth))
 
-    return mean_film(scipy.optimize.brentq(excess, boundary - gain[-1], _HIGHEST))
+    return mean_film(root(excess, boundary - gain[-1], _HIGHEST))

@@ -2,6 +2,7 @@
 
 import copy
 import math
+from collections.abc import Iterator
 from typing import Any, Protocol
 
 import numpy as np
@@ -51,17 +52,12 @@ def superposed(
 
     Also the rise of the mean film over the smooth film, for Rq equal to the smooth film, if known.
     """
-    is_mirrored = window == "mirror"
-    parts: _Components = (
-        _Cosines(height, surface) if is_mirrored else _Waves(extended(height, window), surface)
-    )
+    parts = components_of(height, surface, window)
     del height
     spectra = {"x": empty_spectrum(parts.qx), "y": empty_spectrum(parts.qy)}
     cover = Coverage(conditions, transfer)
     mean_square, rise = 0.0, 0.0
-    rows = max(1, BLOCK // parts.qy.size)
-    for first in range(0, parts.qx.size, rows):
-        block = slice(first, min(first + rows, parts.qx.size))
+    for block in blocks_of(parts):
         along, across = parts.qx[block, None], parts.qy[None, :]
         # The transfer is even in qy and depends on the sign of qx.
         ratio = transfer.ratio(along, across)
@@ -69,7 +65,7 @@ def superposed(
         after = before * (ratio.real**2 + ratio.imag**2)
         spectra["x"].add(block, before.sum(axis=1), after.sum(axis=1))
         spectra["y"].add(slice(None), before.sum(axis=0), after.sum(axis=0))
-        if first == 0:
+        if block.start == 0:
             before[0, 0] = after[0, 0] = 0  # the mean, which is no roughness
         cover.add(along, across, before, after)
         mean_square += before.sum()
@@ -82,20 +78,31 @@ def superposed(
     kept = copy.deepcopy(parts) if parts.qx.size * parts.qy.size <= MOST_KEPT else None
     found = parts.total()
     if kept is not None:
-        _add_peak(found, kept, cover, window, rows)
+        _add_peak(found, kept, cover, window)
     return found, spectra, cover, None if math.isnan(rise) else known
 
 
-def _add_peak(
-    found: Heights, parts: _Components, cover: Coverage, window: Window, rows: int
-) -> None:
+def components_of(height: Heights, surface: Surface, window: Window) -> _Components:
+    """Return the components of heights."""
+    if window == "mirror":
+        return _Cosines(height, surface)
+    return _Waves(extended(height, window), surface)
+
+
+def blocks_of(parts: _Components) -> Iterator[slice]:
+    """Return rows of components that are judged at a time, one block after another."""
+    rows = max(1, BLOCK // parts.qy.size)
+    for first in range(0, parts.qx.size, rows):
+        yield slice(first, min(first + rows, parts.qx.size))
+
+
+def _add_peak(found: Heights, parts: _Components, cover: Coverage, window: Window) -> None:
     """Add what each band has of the height of the highest point in the contact."""
     part = judged_part((found.shape[0], found.shape[1]), window)
     chosen = found[part]
     place = np.unravel_index(int(np.argmax(chosen)), chosen.shape)
     node = [int(i) + (cut.start or 0) for i, cut in zip(place, part, strict=True)]
-    for first in range(0, parts.qx.size, rows):
-        block = slice(first, min(first + rows, parts.qx.size))
+    for block in blocks_of(parts):
         heights = parts.heights_at(block, (node[0], node[1]))
         cover.bands.add_heights(parts.qx[block, None], parts.qy[None, :], heights)
 

@@ -9,6 +9,7 @@ import scipy
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.moes_parameters import moes_values
 from ehlwave.contact.thinning import MOST_LOSS
+from ehlwave.duals import valued
 from ehlwave.errors import RangeError, SurfaceError, see
 from ehlwave.inputs.slip import RATIO, SLIP, ratio_of
 from ehlwave.laws.atlas.kind import Kind, is_within
@@ -52,9 +53,9 @@ def refuse_outside(contact: Conditions, kind: Kind) -> None:
 
     A contact given by M, L and D is left to the message of the atlas itself.
     """
-    place, ranges = contact.atlas_keys(), kind.ranges
+    place, ranges = {key: valued(value) for key, value in contact.atlas_keys().items()}, kind.ranges
     wrong = [key for key, (low, high) in ranges.items() if not is_within(place[key], low, high)]
-    given = dict(contact.given)
+    given = {key: valued(value) for key, value in contact.given}
     if "slip_parameter" in wrong:
         raise RangeError(_slip_text(contact, ranges["slip_parameter"]))
     beyond = "" if wrong else kind.beyond(place)

@@ -1,13 +1,13 @@
 """The atlas: read from its file, ready for contacts."""
 
 import json
-import math
 from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.line_contact import ROLLS_ALONE
+from ehlwave.duals import math
 from ehlwave.errors import RangeError, ResultsError
 from ehlwave.laws.atlas.advice import STRESS, refuse_outside, thinned_text
 from ehlwave.laws.atlas.chart import Chart

@@ -1,12 +1,12 @@
 """The responses and films of a contact, from an atlas."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-import numpy as np
 from numpy.typing import ArrayLike
 
+from ehlwave.duals import math, np, to_float, valued
+from ehlwave.error_bars import bar
 from ehlwave.errors import RangeError
 from ehlwave.laws.atlas.coordinates import Complex, Floats
 from ehlwave.laws.atlas.kind import is_within
@@ -14,13 +14,11 @@ from ehlwave.laws.atlas.networks import Networks
 from ehlwave.laws.atlas.shape import Seen
 from ehlwave.shown import Shown
 
-RESPONSE_BY_FILM = 0.8
-"""Change of a response, units of Ai, over the share of its film that a contact loses by thinning:
-of drawn contacts in pure rolling none has more than 0.7."""
+RESPONSE_BY_FILM = bar("chart.response_by_film")
+"""Change of a response, units of Ai, over the share of the film that thinning takes."""
 
-DEVIATIONS = 3.0
-"""Standard deviations between the networks of films that their errors cover at least: at ends of
-the ranges errors that were fitted to the inner contacts are too small."""
+DEVIATIONS = bar("chart.deviations")
+"""Standard deviations between the networks of films that their errors cover at least."""
 
 
 @dataclass(frozen=True)
@@ -151,7 +149,7 @@ class Chart:
     def computed_films(self) -> tuple[float, float]:
         """Return central and smallest film, Moes scale, as the networks have them."""
         base, ratios = self._references, np.exp(self.film_numbers)
-        return float(base[0] * ratios[0]), float(base[1] * ratios[0] * ratios[1])
+        return to_float(base[0] * ratios[0]), to_float(base[1] * ratios[0] * ratios[1])
 
     def ratio_of_networks(self) -> float:
         """Return the smallest over the central film by the networks, at most 1."""
@@ -160,8 +158,9 @@ class Chart:
 
     def _film_errors(self) -> Floats:
         """Return the errors of the films; far from the data, where networks differ, they grow."""
-        errors = self._networks.film_errors(self._place)[0]
-        return np.maximum(errors, DEVIATIONS * self._networks.films.deviation(self._place)[0])
+        place = valued(self._place)
+        errors = self._networks.film_errors(place)[0]
+        return np.maximum(errors, DEVIATIONS * self._networks.films.deviation(place)[0])
 
     def film(self) -> SmoothFilm:
         """Return the smooth films, and the shear stress where the kind of the atlas has it.
@@ -172,8 +171,8 @@ class Chart:
             return self._thinned.film()
         errors = self._film_errors()
         central, minimum = self.computed_films()
-        central_error = float(errors[0]) + self.film_loss
-        minimum_error = float(errors[:2].sum()) + self.film_loss
+        central_error = to_float(errors[0]) + self.film_loss
+        minimum_error = to_float(errors[:2].sum()) + self.film_loss
         if self._smallest is not None:
             ratio, own = self._smallest
             minimum, minimum_error = ratio * central, central_error + own
@@ -189,8 +188,8 @@ class Chart:
             minimum_moes=minimum,
             central_error=central_error,
             minimum_error=minimum_error,
-            stress=float(stress) if has_stress else None,
-            stress_error=float(errors[2]) if has_stress else None,
+            stress=to_float(stress) if has_stress else None,
+            stress_error=to_float(errors[2]) if has_stress else None,
         )
 
     def responses(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Responses:
@@ -208,7 +207,7 @@ class Chart:
         inputs = self._inputs(seen)
         numbers = self._networks.waves(inputs)
         film = seen.film(numbers)
-        error = self._networks.errors(inputs)[:, 0] + RESPONSE_BY_FILM * self.film_loss
+        error = self._networks.errors(valued(inputs))[:, 0] + RESPONSE_BY_FILM * self.film_loss
         found = film, seen.pressure(film, numbers), error, numbers[:, -1]
         return Responses(*(values.reshape(shape) for values in found))
 

@@ -8,8 +8,9 @@ their scatter; they differ in the initial weights of their fits. Goodfellow, Ben
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
 from numpy.typing import NDArray
+
+from ehlwave.duals import np
 
 Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]

@@ -7,16 +7,15 @@ finer grids by ``scripts/study judged``, which writes ``constriction.json``.
 """
 
 import json
-import math
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
 from itertools import combinations_with_replacement
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import MOES_KEYS
+from ehlwave.duals import math, np, to_float
 
 Floats = NDArray[np.float64]
 
@@ -50,7 +49,7 @@ def terms(m: ArrayLike, l: ArrayLike, d: ArrayLike, log_networks: ArrayLike) -> 
     columns = list(values)
     factors = (np.ones_like(columns[0]), np.atleast_1d(log_networks))
     powers = [
-        factor * np.prod([np.ones_like(factor), *(columns[i] for i in chosen)], axis=0)
+        factor * math.prod((columns[i] for i in chosen), start=np.ones_like(factor))
         for factor, most in zip(factors, DEGREES, strict=True)
         for degree in range(most + 1)
         for chosen in combinations_with_replacement(range(3), degree)
@@ -74,5 +73,5 @@ def constriction(keys: Mapping[str, float], networks: float) -> tuple[float, flo
     if m > LARGEST_M:
         return math.nan, math.nan
     found = fitted()
-    value = float((terms(m, l, d, math.log(networks)) @ np.asarray(found["coefficients"]))[0])
+    value = to_float((terms(m, l, d, math.log(networks)) @ np.asarray(found["coefficients"]))[0])
     return math.exp(min(max(value, found["low"][0]), found["high"][0])), found["error"][0]

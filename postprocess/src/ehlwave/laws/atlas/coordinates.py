@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Mapping
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import MOES_KEYS
@@ -14,6 +13,7 @@ from ehlwave.contact.scales import (
     moes_per_film,
     pressure_factor,
 )
+from ehlwave.duals import np, to_float
 from ehlwave.laws.atlas.ranges import (
     CONTACT_RANGES,
     LARGEST_ALPHABAR,
@@ -45,7 +45,7 @@ def contact_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
 def beyond_limits(keys: Mapping[str, float]) -> str:
     """Return the excess of an elliptical contact over the atlas; '' if none."""
     m, l, d = (keys[key] for key in MOES_KEYS)  # noqa: E741
-    film = float(hertz_film(m, l, d))
+    film = to_float(hertz_film(m, l, d))
     if film > THICKEST_FILM * (1 + 1e-9):
         return (
             f"a film of {film:.3g} times the Hertz approach (of at most {THICKEST_FILM:g}: "

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.contact.line_contact import (
@@ -13,6 +12,7 @@ from ehlwave.contact.line_contact import (
 )
 from ehlwave.contact.oils import log_viscosity
 from ehlwave.contact.rolling import transfer_along
+from ehlwave.duals import np, to_float
 from ehlwave.laws.atlas.coordinates import Floats, columns
 from ehlwave.laws.atlas.ranges import LARGEST_LINE_ALPHABAR, LARGEST_PRESSURE_PA, LINE_RANGES
 from ehlwave.laws.atlas.shape import INLET_SCALE, Seen, Shape, rolling_seen
@@ -32,7 +32,7 @@ def line_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
 
 def beyond_line_limits(keys: Mapping[str, float]) -> str:
     """Return the excess of a line contact over the atlas; '' if none."""
-    product = float(line_alphabar(*(keys[key] for key in list(LINE_RANGES)[:2])))
+    product = to_float(line_alphabar(*(keys[key] for key in list(LINE_RANGES)[:2])))
     if product > LARGEST_LINE_ALPHABAR * (1 + 1e-9):
         return f"alpha ph of {product:.3g} (of at most {LARGEST_LINE_ALPHABAR:g})"
     return ""
@@ -40,7 +40,7 @@ def beyond_line_limits(keys: Mapping[str, float]) -> str:
 
 def beyond_sliding_limits(keys: Mapping[str, float]) -> str:
     """Return the excess of a sliding line contact, whose pressure is limited, too."""
-    pressure = float(line_alphabar(*(keys[key] for key in list(LINE_RANGES)[:2])))
+    pressure = to_float(line_alphabar(*(keys[key] for key in list(LINE_RANGES)[:2])))
     pressure /= keys["pressure_viscosity_per_pa"]
     if pressure > LARGEST_PRESSURE_PA * (1 + 1e-9):
         most = LARGEST_PRESSURE_PA / 1e9

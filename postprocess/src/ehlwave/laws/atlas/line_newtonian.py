@@ -6,11 +6,11 @@ Waves follow :class:`ehlwave.laws.atlas.line_sliding_shape.LineSlidingShape` wit
 from collections.abc import Mapping
 from functools import lru_cache
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
+from ehlwave.duals import np, to_float
 from ehlwave.laws.atlas.coordinates import Floats, columns
 from ehlwave.laws.atlas.line_rolling import rolling_line_chart
 from ehlwave.laws.atlas.line_sliding import LINE_SLIDING_RANGES
@@ -24,7 +24,7 @@ LINE_NEWTONIAN_RANGES = LINE_RANGES | {"slip_parameter": LINE_SLIDING_RANGES["sl
 def newtonian_conditions_of(keys: Mapping[str, ArrayLike]) -> list[Conditions]:
     """Return the conditions of line contacts given by columns named as their keys."""
     table = map(np.atleast_1d, columns(keys, LINE_NEWTONIAN_RANGES))
-    return [_conditions(*map(float, row)) for row in zip(*table, strict=True)]
+    return [_conditions(*map(to_float, row)) for row in zip(*table, strict=True)]
 
 
 @lru_cache(maxsize=8192)

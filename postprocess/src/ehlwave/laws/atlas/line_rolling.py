@@ -3,9 +3,8 @@
 from dataclasses import replace
 from functools import cache
 
-import numpy as np
-
 from ehlwave.contact.conditions import Conditions
+from ehlwave.duals import np, to_float
 from ehlwave.laws.atlas.chart import Chart
 from ehlwave.laws.atlas.kind import FILMS, Kind, shipped
 from ehlwave.laws.atlas.line import (
@@ -40,7 +39,7 @@ def rolling_line_chart(contact: Conditions) -> Chart:
     Where those that slide are computed a little below the ranges, it is known as well.
     """
     keys = contact.atlas_keys()
-    place = {key: float(np.clip(keys[key], *ends)) for key, ends in COMPUTED.ranges.items()}
+    place = {key: to_float(np.clip(keys[key], *ends)) for key, ends in COMPUTED.ranges.items()}
     return Chart(_networks(), place)
 
 

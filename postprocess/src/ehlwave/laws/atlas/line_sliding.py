@@ -2,13 +2,13 @@
 
 from collections.abc import Mapping
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.line_contact import line_film, moes_per_line_film
 from ehlwave.contact.medium import hertz_medium
 from ehlwave.contact.oils import log_viscosity
+from ehlwave.duals import np, to_float
 from ehlwave.laws.atlas.coordinates import Floats
 from ehlwave.laws.atlas.line import line_coordinates
 from ehlwave.laws.atlas.line_rolling import rolling_line_chart
@@ -33,7 +33,7 @@ def line_conditions_of(keys: Mapping[str, ArrayLike]) -> list[Conditions]:
 def thinning(contact: Conditions, slip: float) -> float:
     """Return B of the viscosity at ambient pressure, in the film of Moes' formula."""
     c = contact
-    film = float(line_film(c.m, c.l) / moes_per_line_film(c.m))
+    film = to_float(line_film(c.m, c.l) / moes_per_line_film(c.m))
     return hertz_medium(c.oil, c.kappa, c.alphabar, c.lambdabar, film, slip).thinning
 
 
@@ -43,9 +43,8 @@ def line_sliding_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     Coordinates as in rolling line contacts, with ln H, and the three of slip: ``atlas/sliding.py``.
     """
     rolling = line_coordinates(keys)
-    rolling[:, 0] = np.log(rolling[:, 0])
     at_two = [thinning(one, 2.0) for one in line_conditions_of(keys)]
-    return np.column_stack([rolling, slip_coordinates(keys, at_two)])
+    return np.column_stack([np.log(rolling[:, 0]), rolling[:, 1:], slip_coordinates(keys, at_two)])
 
 
 def mean_line_stress(contact: Conditions) -> float:
@@ -55,7 +54,7 @@ def mean_line_stress(contact: Conditions) -> float:
     pressure = contact.hertz_pa * np.sqrt(1 - ((nodes + 1) / 2) ** 2)  # over X, 0 to 1
     viscosity = log_viscosity(oil.pressure_viscosity_per_pa, oil.roelands_index, pressure)
     own = thinning(contact, contact.slip_parameter)
-    return float(weights @ np.arcsinh(own * np.exp(viscosity)) / 2)
+    return to_float(weights @ np.arcsinh(own * np.exp(viscosity)) / 2)
 
 
 def line_sliding_references(keys: Mapping[str, ArrayLike]) -> Floats:

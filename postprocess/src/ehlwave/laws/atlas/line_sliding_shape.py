@@ -2,10 +2,10 @@
 
 from collections.abc import Mapping
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.contact.conditions import Conditions
+from ehlwave.duals import np
 from ehlwave.laws.atlas.chart import Chart
 from ehlwave.laws.atlas.coordinates import Floats, columns
 from ehlwave.laws.atlas.line import LineShape

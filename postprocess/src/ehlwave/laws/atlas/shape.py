@@ -4,13 +4,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ellipk
 
 from ehlwave.contact.conditions import MOES_KEYS
 from ehlwave.contact.rolling import transfer_along
 from ehlwave.contact.scales import ellipticity, pressure_factor
+from ehlwave.duals import np
 from ehlwave.laws.atlas.coordinates import Complex, Floats, columns, hertz_film
 
 SomeShape = TypeVar("SomeShape", bound="Shape")

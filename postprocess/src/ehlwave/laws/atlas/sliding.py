@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.contact.conditions import Conditions
@@ -11,6 +10,7 @@ from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.medium import INLET_VISCOSITY
 from ehlwave.contact.oils import log_viscosity
 from ehlwave.contact.scales import moes_per_film
+from ehlwave.duals import np, to_float
 from ehlwave.laws.atlas.coordinates import Floats, columns, contact_coordinates
 from ehlwave.laws.atlas.kind import Kind
 from ehlwave.laws.atlas.ranges import MOST_THINNING, SLIDING_RANGES
@@ -51,7 +51,7 @@ def conditions_of(
     """
     names = tuple(ranges)
     table = map(np.atleast_1d, columns(keys, names))
-    return [_conditions(names, *map(float, row)) for row in zip(*table, strict=True)]
+    return [_conditions(names, *map(to_float, row)) for row in zip(*table, strict=True)]
 
 
 @lru_cache(maxsize=8192)
@@ -75,7 +75,7 @@ def mean_stress(contact: Conditions) -> float:
     pressure = hertz_pa * np.sqrt((1 - nodes) / 2)  # over squares of the distance from the centre
     viscosity = log_viscosity(oil.pressure_viscosity_per_pa, oil.roelands_index, pressure)
     thinning = contact.medium(contact.slip_parameter).thinning
-    return float(weights @ np.arcsinh(thinning * np.exp(viscosity)) / 2)
+    return to_float(weights @ np.arcsinh(thinning * np.exp(viscosity)) / 2)
 
 
 def sliding_references(keys: Mapping[str, ArrayLike], rolling: Kind = ROLLING) -> Floats:

@@ -5,7 +5,6 @@ from copy import copy
 from dataclasses import astuple
 from functools import cached_property
 
-import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import MOES_KEYS, Conditions
@@ -17,6 +16,7 @@ from ehlwave.contact.two_waves import (
     launch_length,
     launched,
 )
+from ehlwave.duals import np
 from ehlwave.laws.atlas.chart import Chart
 from ehlwave.laws.atlas.coordinates import Complex, Floats, columns
 from ehlwave.laws.atlas.rolling import rolling_chart
@@ -128,11 +128,9 @@ class SlidingShape(Shape):
             loss / (1 + np.abs(loss) / 2),
             turn / (1 + np.abs(turn) / 3),
         )
-        states = self._state.shape[1]
-        coordinates = np.empty((kx.size, states + len(parts)))
-        coordinates[:, :states] = self._state
-        for place, part in enumerate(parts, states):
-            coordinates[:, place] = part
+        states = np.broadcast_to(self._state, (kx.size, self._state.shape[1]))
+        waves = np.stack(np.broadcast_arrays(*parts), axis=1)
+        coordinates = np.concatenate([states, waves], axis=1)
         psi, one = kx + launch.mismatch, np.ones(kx.shape)
         gain = np.sqrt((psi**2 + ky**2) / (kx**2 + ky**2))
         slopes = np.stack([c, 1j * c, one, 1j * one], axis=-1)

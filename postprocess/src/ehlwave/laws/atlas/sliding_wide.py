@@ -2,10 +2,10 @@
 
 from collections.abc import Mapping
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.contact.conditions import MOES_KEYS, Conditions
+from ehlwave.duals import np, to_float
 from ehlwave.laws.atlas.chart import Chart
 from ehlwave.laws.atlas.coordinates import Floats, beyond_limits, hertz_film
 from ehlwave.laws.atlas.kind import FILMS, Kind
@@ -66,7 +66,7 @@ def wide_sliding_references(keys: Mapping[str, ArrayLike]) -> Floats:
 
 def film_under_slip(keys: Mapping[str, float]) -> float:
     """Return about the film of a contact over the Hertz approach."""
-    film = float(hertz_film(*(keys[key] for key in MOES_KEYS)))
+    film = to_float(hertz_film(*(keys[key] for key in MOES_KEYS)))
     return film * (1 + thinning_of(conditions_of(keys)[0])) ** THINNED
 
 
