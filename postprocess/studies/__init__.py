@@ -15,5 +15,6 @@
 ``command`` is ``scripts/study``, which runs them all. ``section`` holds the parts of a report,
 ``html`` its page, ``sweeps`` writes and reads sweeps, ``stages`` the files of a full study,
 ``folds`` has parts of points that are left out of fits, ``work_unit`` the unit of counted work,
-``typed_keys`` writes the types of the program's keys.
+``typed_keys`` writes the types of the program's keys, ``error_bars`` the errors of laws that follow
+from records.
 """

@@ -15,10 +15,9 @@ from ehlwave.surface.amplitude import (
     expected_nonlinearity,
     lowest_film,
 )
+from studies.error_bars import changes_of_maps
 
 RECORD = Path(__file__).parents[1] / "record"
-SMALL = 0.05
-"""Rq over the film of the map whose errors come from the grid and the atlas alone."""
 
 
 def test_recorded_marches_keep_to_the_errors() -> None:
@@ -38,19 +37,7 @@ def test_recorded_marches_keep_to_the_errors() -> None:
 @pytest.fixture(scope="module")
 def maps() -> pd.DataFrame:
     """Return the converged marches of ``record/lambda`` with the errors of their predictions."""
-    table = pd.read_csv(RECORD / "lambda/marches.csv")
-    table = table[table["status"].isin(("converged", "unresolved"))].copy()
-    table["square"] = 2 * table["rq_over_film"] ** 2
-    table["rq_error"] = table["rq_predicted"] / table["rq_marched"] - 1
-    small = table[table["level"] == SMALL].set_index(["contact", "motion", "lay", "seed"])
-    same = pd.MultiIndex.from_frame(table[list(small.index.names)])
-    base = small["rq_error"].reindex(same).to_numpy()
-    table["rq_change"] = (1 + table["rq_error"]) / (1 + base) - 1
-    mean = table["mean_linear"] + table["rise"]
-    table["mean_change"] = table["mean_marched"] - mean
-    ratio = mean / table["mean_marched"] / (1 + table["rq_error"])
-    table["lambda_error"] = ratio - 1
-    return table[table["level"] > SMALL]
+    return changes_of_maps()
 
 
 def test_rough_maps_keep_to_the_factors_and_reach_the_validated_amplitudes(

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 import ehlwave
-from ehlwave.contact.conditions import THINNING_ERROR
 from ehlwave.laws.atlas.kinds import SLIDING
 from ehlwave.laws.atlas.sliding_shape import SlidingShape
 from ehlwave.laws.atlas_transfer import AtlasTransfer
@@ -149,19 +148,7 @@ def test_a_surface_under_slip_is_deformed_by_its_responses() -> None:
     np.testing.assert_allclose(found.height[:, 0], expected, atol=1e-10)
 
 
-def test_films_of_oils_that_slip_thins_have_errors_to_match() -> None:
-    rng, thinned = np.random.default_rng(1), []
-    for _ in range(600):
-        moes = {
-            "load_parameter_m": float(np.exp(rng.uniform(*np.log((20, 2000))))),
-            "lubricant_parameter_l": float(rng.uniform(2, 20)),
-            "radius_ratio_d": float(np.exp(rng.uniform(*np.log((0.04, 1))))),
-        }
-        oil = {"reduced_modulus_pa": 2.2e11, "slip_parameter": float(rng.uniform(0.5, 1.5))}
-        oil["eyring_stress_pa"] = float(np.exp(rng.uniform(*np.log((0.9e6, 43e6)))))
-        films = [ehlwave.Contact(**moes, **of).film().central_moes for of in (oil, {})]
-        thinned.append(1 - films[0] / films[1])
-    assert np.percentile(thinned, 97.5) == pytest.approx(THINNING_ERROR, abs=0.03)
+def test_slip_that_thins_films_widens_their_errors() -> None:
     moes = {"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 1}
     carreau = {"carreau_modulus_pa": 5e6, "carreau_exponent": 0.5, "reduced_modulus_pa": 2.2e11}
     rolling, sliding = (ehlwave.Contact(**moes, **carreau, slip_parameter=s) for s in (1, 1.3))

@@ -29,7 +29,7 @@ module ehlwave_domain_choice
    !> Factor on the viscosity lost by shear at the inlet edge. One contact exceeded it 1.6 times (M = 48, L = 15,
    !> D = 0.04, Ree-Eyring).
    real(dp), parameter :: thinned_margin = 1.6_dp
-   real(dp), parameter :: wave_factor = 0.25_dp, slip_factor = 4   !! see `share_of_waves`
+   real(dp), parameter :: wave_factor = 0.25_dp, slip_factor = 2   !! see `share_of_waves`
    real(dp), parameter :: share_of_accuracy = 0.3_dp      !! for the domain, where it is chosen
    real(dp), parameter :: largest_scale = 32
 
@@ -113,7 +113,7 @@ contains
    end function expected_domain_errors
 
    !> Relative error of Ad/Ai by waves that reach beyond the inlet edge: the far field at a flooded edge has no waves.
-   !> The share of the film error with P = 0 there grows with the cube of the wavelength over the inlet, then is 1.
+   !> The share of the film error with P = 0 there grows with the wavelength over the inlet, then is 1.
    !> Under slip the wave of the oil starts at the edge, where the film of light contacts is thin.
    pure real(dp) function share_of_waves(case, conditions, scale, truncated) result(error)
       type(case_t), intent(in) :: case
@@ -122,7 +122,7 @@ contains
       real(dp), intent(in) :: truncated   !! error of H(0,0) with P = 0 at the edges
       real(dp) :: long
 
-      long = wave_factor*(maxval(length_of(case%surfaces()))/abs(scale*case%x_min))**3
+      long = wave_factor*maxval(length_of(case%surfaces()))/abs(scale*case%x_min)
       error = truncated*long/(1 + long)
       if (long > 0) error = error + slip_factor*abs(conditions%slip_parameter - 1)*truncated**2
    end function share_of_waves

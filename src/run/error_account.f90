@@ -7,6 +7,7 @@ module ehlwave_error_account
    use ehlwave_case_result, only: case_result_t
    use ehlwave_effects_keys, only: effect_count
    use ehlwave_effects_plan, only: error_name
+   use ehlwave_error_factors, only: by_domain, central_film, response
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: is_beyond_linear, linear_limit_text
@@ -34,7 +35,7 @@ contains
       if (any(ieee_is_finite(result%ratios(2)))) then
          result%ratio_errors = errors_in_time(case, plan, result)
       else if (ieee_is_finite(result%harmonic%ratio)) then
-         result%ratio_errors = error_parts_t(mesh=result%response_error(), domain=plan%domain_error, &
+         result%ratio_errors = error_parts_t(mesh=result%response_error(), domain=domain_part(case, plan, result), &
                                              algebraic=case%response_tolerance)
       end if
       call result%effects%add_errors(case, plan, result%film_errors, result%ratio_errors)
@@ -52,6 +53,7 @@ contains
       integer :: n
 
       parts = plan%expected
+      parts%domain = domain_part(case, plan, result)
       parts%settling = result%settling
       if (plan%steps > 0) parts%algebraic = expected_step_error(case%step_tolerance)
       if (result%amplitude_error_basis /= '') &
@@ -65,6 +67,22 @@ contains
       end if
       parts%amplitude = max(parts%amplitude, result%overtone_error)
    end function errors_in_time
+
+   !> Error of Ad/Ai by the edges of the domain. Waves that keep their amplitude hardly feel the inlet: the part by
+   !> waves beyond flooded edges, besides the part by the film, counts in proportion to the amplitude that they lose.
+   pure real(dp) function domain_part(case, plan, result) result(error)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t), intent(in) :: result
+      real(dp), parameter :: least = 0.02_dp         ! share that counts in any case
+      real(dp) :: films(2), ratios(4)                ! errors by the film: planned, and of the result
+
+      error = plan%domain_error
+      if (case%edges /= 'flooded') return
+      ratios = [result%harmonic%ratio, result%effects%second%surface%harmonic%ratio, result%ratios(2)]
+      films = [plan%film_domain_error, result%film_domain_error]*by_domain(response)/by_domain(central_film)
+      error = films(2) + max(least, 1 - minval(ratios, mask=ieee_is_finite(ratios)))*max(0.0_dp, error - films(1))
+   end function domain_part
 
    !> The sum, without the domain where its edges are truncated: that is the problem as it was asked for.
    pure real(dp) function error_asked_for(case, parts) result(error)

@@ -261,6 +261,12 @@ def atlas_files():
     return claims
 
 
+def bar(name):
+    """Error of a law, as the package has it."""
+    table = (ROOT/"postprocess/src/ehlwave/error_bars.csv").read_text()
+    return float(re.search(rf"^{re.escape(name)},([\d.]+),", table, re.M)[1])
+
+
 def atlas():
     """Errors that the files of the atlas state about themselves, and errors of lines."""
     found = [of_atlas(kind, "rise_cross_validated") for kind in ATLASES]
@@ -269,9 +275,8 @@ def atlas():
         ("has a median error of {} in contacts that roll (wide: {}), {} under slip (wide: {}), {} in line contacts and {} in those that slide "
          "(Newtonian: {}), in units of (A/film)^2 of the film, and {} (wide: {}), {} (wide: {}), {} and {} ({}) at 95 % of the waves",
          [one["median"] for one in rises] + [one["95 %"] for one in rises])]
-    slip = [float(one) for one in re.findall(r'"(?:Ree-Eyring|Newtonian|Carreau)": ([\d.]+)',
-                                             (ROOT/"postprocess/src/ehlwave/contact/two_waves.py").read_text())]
-    return [*claims, *lines_of_atlas(), ("have the law alone, within {}, {} and {} of Ai", [slip[1], slip[2], slip[0]])]
+    slip = [bar(f"two_waves.{oil}") for oil in ("newtonian", "carreau", "ree-eyring")]
+    return [*claims, *lines_of_atlas(), ("have the law alone, within {}, {} and {} of Ai", slip)]
 
 
 def lines_of_atlas():
@@ -327,10 +332,9 @@ def thin_films():
 
 
 def roughness():
-    errors = re.search(r"FIT_ERROR, LINE_FIT_ERROR = ([\d.]+), ([\d.]+)",
-                       (ROOT/"postprocess/src/ehlwave/contact/conditions.py").read_text()).groups()
-    return [*microgeometry(), *thin_films(), *postprocess(), ("too thin and {} % too thick in 95 % of contacts", [100*float(errors[0])]),
-            ("up to 40 %, in line contacts up to {} %", [100*float(errors[1])])]
+    errors = [bar(f"film.{name}") for name in ("formula", "formula_line")]
+    return [*microgeometry(), *thin_films(), *postprocess(), ("too thin and {} % too thick in 95 % of contacts", [100*errors[0]]),
+            ("up to 40 %, in line contacts up to {} %", [100*errors[1]])]
 
 
 def record():

@@ -96,7 +96,7 @@ class Contact:
             for pressure in np.concatenate([[0, 2e7, 5e7], np.linspace(1e8, 4e9, 30)]):
                 grown = self.alpha * 1.96e8 / z * ((1 + pressure / 1.96e8) ** z - 1)
                 viscosity = 0.04 * np.exp(grown - coefficient * rise)
-                rows.append(f"{pressure:.6g},{AMBIENT_K + rise},{viscosity:.9g}")
+                rows.append(f"{pressure:.6g},{AMBIENT_K + rise},{viscosity:.6g}")
         name = f"viscosities-{self.rng.integers(1 << 31)}.csv"
         return str(Writer().text(self.folder / name, "\n".join(rows) + "\n"))
 

@@ -1,20 +1,20 @@
 """Calibration of declared errors: draw and compute contacts, judge them, write the factors."""
 
 import argparse
-import gzip
+import lzma
 import sys
 from pathlib import Path
 
 from ehlwave.writing import Writer
 from studies.all_keys.table import key_groups
-from studies.calibrate import factors, judged, sample
+from studies.calibrate import coverage, factors, judged, sample
 from studies.command import checks
 from studies.command.options import step_parser
 from studies.programs import ROOT
 from studies.sweeps import Row, write_rows
 
 RECORD = ROOT / "postprocess" / "record" / "accuracy"
-CONTACTS = RECORD / "contacts.jsonl.gz"
+CONTACTS, SAMPLE = RECORD / "contacts.jsonl.xz", "sample.csv.xz"
 
 
 def main() -> int:
@@ -48,26 +48,26 @@ def _judge(options: argparse.Namespace, known: dict[str, str]) -> int:
 
 def conclude(rows: list[Row], table: dict[str, float], folder: Path) -> int:
     """Write errors, factors and coverage; return 1 where a class is not covered."""
-    _record(rows, "sample.csv.gz", folder)
-    rows = factors.read_errors(RECORD / "sample.csv.gz")
+    _record(rows, SAMPLE, folder)
+    rows = factors.read_errors(RECORD / SAMPLE)
     found = factors.factors(rows, table)
-    rows = factors.with_factors(rows, table, found)
-    _record(rows, "sample.csv.gz", folder)
-    held_out = factors.coverage(rows, table)
+    held_out = coverage.coverage(rows, found)
     _record(held_out, "coverage.csv", folder)
     factors.write_table(found, len({row["contact"] for row in rows}))
+    outside = coverage.deviating(held_out)
     for row in held_out:
-        print(", ".join(f"{k} {v:.4g}" if isinstance(v, float) else str(v) for k, v in row.items()))
-    judged_classes = [row for row in held_out if row["class"] not in factors.APART]
-    return int(any(row["probability"] < factors.CHANCE for row in judged_classes))
+        mark = "* " if row in outside else ""
+        cells = (f"{k} {v:.4g}" if isinstance(v, float) else str(v) for k, v in row.items())
+        print(mark + ", ".join(cells))
+    return int(any(row["covered"] < coverage.LEAST for row in outside))
 
 
 def _record(rows: list[Row], name: str, folder: Path) -> None:
     """Write a table to the folder of the run, and to the record in place of the former."""
-    path = folder / name.removesuffix(".gz")
+    path = folder / name.removesuffix(".xz")
     write_rows(path, rows, digits=4)
     data = path.read_bytes()
-    kept = gzip.compress(data, mtime=0) if name.endswith(".gz") else data
+    kept = lzma.compress(data) if name.endswith(".xz") else data
     Writer(overwrite=True).data(RECORD / name, kept)
 
 

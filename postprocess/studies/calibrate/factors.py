@@ -1,7 +1,7 @@
 """Factors of declared errors from the sample, and their coverage of contacts left out."""
 
 import csv
-import gzip
+import lzma
 import math
 from collections.abc import Sequence
 from pathlib import Path
@@ -22,52 +22,77 @@ KINDS = ("averaged ellipse", "averaged line", "fitted ellipse", "fitted line")
 BASES = ("coarse_grid", "model")
 DOMAIN = "domain"
 """Kind and basis of errors by the edges of the domain."""
+STARVED, BY_RESPONSE = "starved", "response"
+"""Bases without a factor: errors by oil outside that starved contacts may lack, where the part
+counts whole, and errors of Ad/Ai that are those of the response."""
 QUANTITIES = (
     *("central_film", "smallest_film", "friction", "rolling", "response", "amplitude_ratio"),
 )
 APART = ("unresolved", "large")
 """Classes of errors whose results carry a warning in any case."""
 FEWEST = 100
-"""Contacts from which a kind has a factor of its own; the kinds together stand in for fewer."""
+"""Errors from which a kind has a factor of its own."""
+FEW = 20
+"""Errors from which a kind has a spread of its own: `SPREAD` of its ratios are below. Over it the
+ratios of all kinds are alike."""
+SPREAD = 0.9
+MODEL_SHARE = 0.3
+"""Share of the expected error that every error has, as in ``src/case/mesh_errors.f90``."""
 ALIKE = {"amplitude_ratio": "response"}
-"""Quantities whose factors bound those of one with few contacts."""
+"""Quantities whose factors stand in for those of one with fewer than `FEW` errors."""
+ROUNDING = 1e-5
+"""Relative error of truths and of tolerances, which is no error by the mesh."""
 CONFIDENCE = 0.6
 """Confidence that the share `BOUND` of all errors is below a factor."""
 TAIL, FEWEST_TAIL = 0.1, 3
 """Share and least number of the largest ratios that continue a sample without so many contacts."""
 FARTHEST = 1.5
 """Factor by which the tail goes beyond the largest ratio, at most."""
-CHANCE = 0.05
-"""Probability of fewer covered contacts, had their class `LEAST`, from which on it is covered."""
-LEAST = 0.975
-HALVES, SEED = 20, 7
 
 
 def factors(rows: Sequence[Row], present: dict[str, float]) -> dict[str, float]:
     """Return the factor of each quantity, kind and basis, by the names of `key`.
 
-    Rows have the error of a number over its rule, ``ratio``. A factor with few rows is the larger
-    of their bound and of the factor of all kinds; without any it keeps its present value.
+    A factor without any errors keeps its present value.
     """
     found = dict(present)
-    judged = [row for row in rows if not _apart(row)]
+    judged = [row for row in rows if not apart(row)]
     for quantity in QUANTITIES:
         for basis in BASES:
-            every = _bound(ratios(judged, quantity=quantity, basis=basis))
-            for kind in KINDS:
-                some = ratios(judged, quantity=quantity, kind=kind, basis=basis)
-                own = _bound(some)
-                bound = own if some.size >= FEWEST else np.fmax(own, every)
-                if quantity in ALIKE and some.size < FEWEST:
+            some = {
+                kind: _ratios(judged, found, quantity=quantity, kind=kind, basis=basis)
+                for kind in KINDS
+            }
+            for kind, bound in _bounds(some).items():
+                if quantity in ALIKE and some[kind].size < FEW:
                     bound = np.fmax(bound, found[key(ALIKE[quantity], kind, basis)])
                 if np.isfinite(bound):
                     found[key(quantity, kind, basis)] = float(bound)
         for kind in KINDS:
-            by_model = key(quantity, kind, "model")
-            found[by_model] = max(found[by_model], found[key(quantity, kind, "coarse_grid")])
-        edges = _bound(ratios(judged, quantity=quantity, basis=DOMAIN))
+            by_model, least = key(quantity, kind, "model"), key(quantity, kind, "coarse_grid")
+            found[by_model] = max(found[by_model], MODEL_SHARE * found[least])
+        edges = _bound(_ratios(judged, found, quantity=quantity, basis=DOMAIN))
         if np.isfinite(edges):
             found[key(quantity, DOMAIN, DOMAIN)] = edges
+    return found
+
+
+def _bounds(some: dict[str, np.ndarray]) -> dict[str, float]:
+    """Return the bounds of the ratios of each kind.
+
+    A kind with few errors has the bound of all ratios over their spread, times its own spread, and
+    at least its largest ratio; without a spread the bound of all ratios.
+    """
+    spread = {kind: np.quantile(one, SPREAD) for kind, one in some.items() if one.size >= FEW}
+    every = _bound(np.concatenate(list(some.values())))
+    alike = _bound(np.concatenate([[], *(some[kind] / spread[kind] for kind in spread)]))
+    found = {}
+    for kind, one in some.items():
+        if one.size >= FEWEST:
+            found[kind] = _bound(one)
+        else:
+            bound = spread[kind] * alike if kind in spread else every
+            found[kind] = float(max(bound, one.max()) if one.size else bound)
     return found
 
 
@@ -103,45 +128,32 @@ def key(quantity: str, kind: str, basis: str) -> str:
     return f"{quantity} {kind} {basis}"
 
 
-def with_factors(
-    rows: Sequence[Row], former: dict[str, float], found: dict[str, float]
-) -> list[Row]:
-    """Return the errors as they are declared with other factors."""
-    return [
-        row | {"declared": row["declared"] * found[name] / former[name]}
-        for row in rows
-        for name in [key(row["quantity"], row["kind"], row["basis"])]
-    ]
+FILM = key("central_film", DOMAIN, DOMAIN)
+"""Factor of the part of the film in other errors by the edges."""
 
 
-def ratios(rows: Sequence[Row], **equal: Any) -> np.ndarray:  # noqa: ANN401
+def declared(row: Row, table: dict[str, float]) -> float:
+    """Return the declared error: a factor times the rule, and the part of the film."""
+    return float(row["film"] * table[FILM] + row["rule"] * table.get(key_of(row), 1.0))
+
+
+def ratio(row: Row, table: dict[str, float]) -> float:
+    """Return the error over its rule, without the part of the film."""
+    return float(max(0.0, row["off"] - ROUNDING - row["film"] * table[FILM]) / row["rule"])
+
+
+def _ratios(rows: Sequence[Row], table: dict[str, float], **equal: Any) -> np.ndarray:  # noqa: ANN401
     """Return errors over rules of the rows that have these values."""
-    return np.array([row["ratio"] for row in rows if all(row[k] == v for k, v in equal.items())])
+    some = (row for row in rows if all(row[k] == v for k, v in equal.items()))
+    return np.array([ratio(row, table) for row in some])
 
 
-def coverage(rows: Sequence[Row], present: dict[str, float]) -> list[Row]:
-    """Return the coverage of contacts by factors of random halves without them, by class."""
-    rng = np.random.default_rng(SEED)
-    contacts = sorted({row["contact"] for row in rows})
-    held: dict[tuple[str, str, str], list[float]] = {}
-    for _ in range(HALVES):
-        half = set(rng.permutation(contacts)[: len(contacts) // 2])
-        fitted = factors([row for row in rows if row["contact"] in half], present)
-        for row in rows:
-            if row["contact"] in half:
-                continue
-            times = row["ratio"] / fitted[key(row["quantity"], row["kind"], row["basis"])]
-            for one in _classes(row):
-                held.setdefault((row["quantity"], _part(row), one), []).append(times)
-    return [_covered(rows, name, times) for name, times in sorted(held.items())]
+def key_of(row: Row) -> str:
+    """Return the name of the factor of an error."""
+    return key(row["quantity"], row["kind"], row["basis"])
 
 
-def _part(row: Row) -> str:
-    """Return the part of the error."""
-    return DOMAIN if row["basis"] == DOMAIN else "mesh"
-
-
-def _apart(row: Row) -> str:
+def apart(row: Row) -> str:
     """Return the class of an error whose result carries a warning in any case; '' of others."""
     unresolved, large = APART
     if row["resolved"] != ".true.":
@@ -149,46 +161,11 @@ def _apart(row: Row) -> str:
     return large if row["is_large"] == ".true." else ""
 
 
-def _classes(row: Row) -> tuple[str, ...]:
-    """Return the classes of an error, its kind among them."""
-    apart = _apart(row)
-    kind = (row["kind"],) if row["kind"] in KINDS else ()
-    return (apart,) if apart else ("all", *kind, *row["classes"].split())
-
-
-def _covered(rows: Sequence[Row], name: tuple[str, str, str], times: list[float]) -> Row:
-    quantity, part, one = name
-    same = [
-        row
-        for row in rows
-        if (row["quantity"], _part(row)) == (quantity, part) and one in _classes(row)
-    ]
-    array = np.array(times)
-    covered = float(np.mean(array <= 1))
-    return {
-        "quantity": quantity,
-        "part": part,
-        "class": one,
-        "contacts": len(same),
-        "covered": covered,
-        "probability": float(scipy.stats.binom.cdf(round(covered * len(same)), len(same), LEAST)),
-        "beyond_1.5": float(np.mean(array > 1.5)),
-        "largest": float(array.max()),
-        "mean_bar": float(np.mean([row["declared"] for row in same])),
-        "mean_bar_before": _mean([row["before"] for row in same]),
-    }
-
-
-def _mean(values: list[float]) -> float:
-    some = [value for value in values if value is not None and math.isfinite(value)]
-    return float(np.mean(some)) if some else math.nan
-
-
 def read_errors(path: Path) -> list[Row]:
     """Return the errors of a record, a CSV file or a compressed one."""
     texts = ("classes", "quantity", "kind", "basis", "resolved", "is_large")
     data = path.read_bytes()
-    text = (gzip.decompress(data) if path.suffix == ".gz" else data).decode("utf-8")
+    text = (lzma.decompress(data) if path.suffix == ".xz" else data).decode("utf-8")
     return [
         {name: cell if name in texts else float(cell or "nan") for name, cell in row.items()}
         for row in csv.DictReader(text.splitlines())
@@ -240,7 +217,7 @@ HEAD = """\
 !> Factors of declared errors. Written by `scripts/study accuracy --calibrate`: do not edit.
 !>
 !> 99 % of the errors of {contacts} contacts are below factor times rule, theory eq. (E1). Errors:
-!> postprocess/record/accuracy/sample.csv.gz.
+!> postprocess/record/accuracy/sample.csv.xz.
 module ehlwave_error_factors
    use ehlwave_kinds, only: dp
    implicit none (type, external)

@@ -1,7 +1,7 @@
 """Errors of numbers against the truths of the sample, beside their declared errors."""
 
-import gzip
 import json
+import lzma
 import math
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -9,12 +9,10 @@ from typing import Any
 
 from ehlwave.writing import Writer
 from studies.all_keys.draw import Row
-from studies.calibrate.factors import DOMAIN, key, kind_of
+from studies.calibrate.factors import BY_RESPONSE, DOMAIN, FILM, STARVED, key, kind_of
 from studies.calibrate.sample import VALUES, solved
 
 DIGITS = 6
-ROUNDING = 1e-5
-"""Relative error of truths and of tolerances, which is no error by the mesh."""
 NOTHING = 1e-5
 """Friction that is not judged: what heat leaves of it in pure rolling."""
 LARGE = 0.3
@@ -48,6 +46,8 @@ NUMBERS: dict[str, tuple[tuple[str, ...], str, str, str]] = {
     ),
 }
 """Each quantity: its numbers, their declared error by the mesh, by the domain, and the basis."""
+SAME = 1e-3
+"""Relative difference of errors that are the same."""
 WITH_DOMAIN = ("smallest_film", "friction", "rolling")
 """Quantities whose declared error includes the part by the domain."""
 BY_OIL_OUTSIDE = ("friction", "rolling")
@@ -65,7 +65,6 @@ def distilled(contact: Row) -> Row | None:
     for name in VALUES:
         if fine.get(name) is not None and coarse.get(name) is not None:
             truth[name] = _short(fine[name] + (fine[name] - coarse[name]) / 3)
-    before = {name: declared(base, name) for name in NUMBERS}
     wide = runs.get("wide") or {}
     return {
         "number": contact["number"],
@@ -73,7 +72,7 @@ def distilled(contact: Row) -> Row | None:
         "classes": contact["classes"],
         "truth": truth,
         "wide": {name: _short(wide[name]) for name in VALUES if wide.get(name) is not None},
-        "before": {name: _short(value) for name, value in before.items() if math.isfinite(value)},
+        "before": {},
     }
 
 
@@ -88,34 +87,30 @@ def errors_of(
     contact: Row, table: dict[str, float], known: dict[str, str], folder: Path
 ) -> list[Row]:
     """Return the errors of the numbers of a contact, as the program declares them now."""
-    found = solved("base", contact["row"], known, folder)
-    return [] if found is None else list(_errors(contact, found, table))
+    return list(_errors(contact, solved(contact["row"], known, folder), table))
 
 
 def _errors(contact: Row, found: Row, table: dict[str, float]) -> Iterator[Row]:
     kind = kind_of(found["scheme"], "line" in contact["classes"])
-    is_starved = "starved" in contact["classes"]
-    for quantity, (names, _, domain, basis) in NUMBERS.items():
+    for quantity, (names, _, _, basis) in NUMBERS.items():
         if quantity == "response" and "harmonic_real" not in contact["truth"]:
             names = ("harmonic_ratio",)
         value = _number(found, names)
         if not abs(value) > (NOTHING if quantity == "friction" else 0):
             continue
-        error, edges = declared(found, quantity), _value(found, domain)
         by_grids = found.get(f"{basis}_error_basis", "")
-        estimate = error / table.get(key(quantity, kind, by_grids), math.nan)
-        for truth, part, column, name in (
-            ("truth", error, kind, by_grids),
-            ("wide", edges, DOMAIN, DOMAIN),
+        estimate = declared(found, quantity) / table.get(key(quantity, kind, by_grids), math.nan)
+        if quantity == "amplitude_ratio" and _is_by_response(found):
+            by_grids, estimate = BY_RESPONSE, declared(found, quantity)
+        before = contact["before"].get(quantity, math.nan)
+        edges = _edges(found, quantity, "starved" in contact["classes"], table)
+        for truth, column, (name, rule, film) in (
+            ("truth", kind, (by_grids, estimate, 0.0)),
+            ("wide", DOMAIN, edges),
         ):
             off = abs(value - _number(contact.get(truth, {}), names)) / abs(value)
-            if not (math.isfinite(off) and part > 0 and math.isfinite(estimate)):
+            if not (math.isfinite(off) and rule > 0 and math.isfinite(estimate)):
                 continue
-            is_share = name == DOMAIN and quantity in BY_OIL_OUTSIDE
-            by_film = _value(found, "film_error_domain") if is_share and not is_starved else 0.0
-            if not part > by_film:
-                continue
-            over = max(0.0, off - ROUNDING - by_film) / (part - by_film)
             yield {
                 "contact": contact["number"],
                 "classes": " ".join(contact["classes"]),
@@ -125,23 +120,40 @@ def _errors(contact: Row, found: Row, table: dict[str, float]) -> Iterator[Row]:
                 "is_large": estimate > LARGE,
                 "resolved": found["is_resolved"],
                 "off": off,
-                "declared": part,
-                "ratio": over * table[key(quantity, column, name)],
-                "before": contact["before"].get(quantity, math.nan) if name != DOMAIN else math.nan,
+                "rule": rule,
+                "film": film,
+                "before": math.nan if column == DOMAIN else before,
             }
 
 
+def _is_by_response(found: Row) -> bool:
+    """Return whether the error of Ad/Ai in time is the error of the response, which is larger."""
+    response = NUMBERS["response"][1]
+    return declared(found, "amplitude_ratio") <= (1 + SAME) * _value(found, response)
+
+
+def _edges(
+    found: Row, quantity: str, is_starved: bool, table: dict[str, float]
+) -> tuple[str, float, float]:
+    """Return basis, rule and part of the film of the error by the edges of the domain."""
+    part = _value(found, NUMBERS[quantity][2])
+    if quantity not in BY_OIL_OUTSIDE:
+        return DOMAIN, part / table.get(key(quantity, DOMAIN, DOMAIN), math.nan), 0.0
+    if is_starved:
+        return STARVED, part, 0.0
+    film = _value(found, "film_error_domain")
+    return DOMAIN, (part - film) / table[key(quantity, DOMAIN, DOMAIN)], film / table[FILM]
+
+
 def write_contacts(path: Path, contacts: Iterable[Row]) -> None:
-    """Write the contacts of a record, compressed, without those that need files."""
-    whole = (one for one in contacts if not any("/" in str(key) for key in one["row"].values()))
-    lines = [json.dumps(contact, separators=(",", ":")) for contact in whole]
-    text = "\n".join(lines) + "\n"
-    Writer(overwrite=True).data(path, gzip.compress(text.encode(), mtime=0))
+    """Write the contacts of a record, compressed."""
+    text = "".join(json.dumps(one, separators=(",", ":")) + "\n" for one in contacts)
+    Writer(overwrite=True).data(path, lzma.compress(text.encode()))
 
 
 def read_contacts(path: Path) -> list[Row]:
     """Return the contacts of a record."""
-    return [json.loads(line) for line in gzip.decompress(path.read_bytes()).splitlines()]
+    return [json.loads(line) for line in lzma.decompress(path.read_bytes()).splitlines()]
 
 
 def _number(found: Row, names: tuple[str, ...]) -> complex:

@@ -10,8 +10,13 @@ from studies import programs
 from studies.all_keys.draw import Row
 from studies.calibrate.contacts import classes_of, drawn, scaled, widened
 
-SECONDS = {"base": 2, "double": 4, "fourfold": 8, "wide": 4}
-"""Processor time of each run, at most: the sample depends on no other load of the machine."""
+LARGEST_COST = 4e7
+"""Expected work units times cells of a finer run, at most: about five seconds. It is counted, so
+the sample does not depend on the machine."""
+LONGEST_S = 1800
+"""Time of a run that does not end by itself: an error."""
+FILES = ("viscosity_table", "oil_profile")
+"""Keys of files, whose text belongs to a contact."""
 VALUES = (
     *("central_film", "minimum_film", "friction_coefficient", "rolling_resistance"),
     *("harmonic_ratio", "harmonic_real", "harmonic_imaginary"),
@@ -29,33 +34,45 @@ DATA = (
 def computed(number: int, known: dict[str, str], folder: Path) -> Row:
     """Return the contact of a number, and its results on all grids."""
     row = drawn(number, known, folder)
-    runs: dict[str, Row | None] = {"base": solved("base", row, known, folder)}
-    base = runs["base"]
-    if base is not None and base["central_film"] is not None:
+    classes = classes_of(row)
+    marches = bool({"march", "periodic"} & set(classes))
+    base = solved(row, known, folder)
+    runs: dict[str, Row | None] = {"base": base}
+    if base["central_film"] is not None:
         for name, factor in (("double", 2), ("fourfold", 4)):
-            runs[name] = solved(name, scaled(row, factor), known, folder)
-            if runs[name] is None:
-                break
-        if not {"march", "periodic"} & set(classes_of(row)):
-            runs["wide"] = solved("wide", widened(row), known, folder)
-    return {"number": number, "row": row, "classes": classes_of(row), "runs": runs}
+            if _cost(base, factor, marches) <= LARGEST_COST:
+                runs[name] = solved(scaled(row, factor), known, folder)
+        if not marches and _cost(base, 2, marches) <= LARGEST_COST:
+            runs["wide"] = solved(widened(row), known, folder)
+    files = {key: Path(row[key]).read_text(encoding="utf-8") for key in FILES if key in row}
+    return {"number": number, "row": row | files, "classes": classes, "runs": runs}
 
 
-def solved(name: str, row: Row, known: dict[str, str], folder: Path) -> Row | None:
-    """Return what the sample keeps of a run; None if it was refused or took too long."""
+def _cost(base: Row, factor: int, marches: bool) -> float:
+    """Return the expected cost of a run on so many times the cells along each side."""
+    sides = (base["cells_y"] > 1) + 1 + marches
+    cells = base["cells_x"] * max(1, base["cells_y"])
+    return float(base["total_work_units"] * cells * factor**sides)
+
+
+def solved(row: Row, known: dict[str, str], folder: Path) -> Row:
+    """Return what the sample keeps of a run, of a contact with files as paths or as texts."""
     groups: dict[str, dict[str, Any]] = {}
     for key, value in row.items():
-        groups.setdefault(known[key], {})[key] = value
+        if key in FILES and "\n" in value:
+            value = folder / f"{key}.csv"
+            keep_own_file(value, row[key].encode())
+        groups.setdefault(known[key], {})[key] = value if key not in FILES else str(value)
     groups.setdefault("solver", {})["threads"] = 1
     path = folder / "case.nml"
     keep_own_file(path, programs.namelist(groups).encode())
-    outcome = programs.run("case", path, "--json", "--quiet", processor_s=SECONDS[name])
+    outcome = programs.run("case", path, "--json", "--quiet", seconds=LONGEST_S)
     if outcome.returncode not in (0, 1):
-        return None
+        raise RuntimeError(f"{row}: exit status {outcome.returncode}: {outcome.stderr}")
     found: Row = programs.last_line(outcome)
     errors = {key: value for key, value in found.items() if "error" in key and value is not None}
     plain = {key: found[key] for key in (*VALUES, *DATA) if found.get(key) is not None}
-    return dict.fromkeys(VALUES) | plain | (errors if name == "base" else {})
+    return dict.fromkeys(VALUES) | plain | errors
 
 
 def numbers_of(part: tuple[int, int], count: int) -> range:

@@ -24,19 +24,16 @@ from ehlwave.contact.scales import (
 from ehlwave.contact.starvation import FILM_BAR
 from ehlwave.contact.thinning import NEARLY_NEWTONIAN, film_loss, stresses_in_inlet
 from ehlwave.duals import math, to_float
+from ehlwave.error_bars import bar
 
 MOES_KEYS = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
 
-THINNING_ERROR = 0.14
-"""By how much less than in pure rolling films are under slip, relative: 97.5 % of contacts in the
-atlas of Ree-Eyring oils are below. A test compares."""
+THINNING_ERROR = bar("film.thinned")
 
 FIT_TEXT = "the film thickness fit of Nijenbanning, Venner and Moes (1994)"
 LINE_FIT_TEXT = "the film thickness fit of Moes (1992) for line contacts"
 GIVEN_TEXT = "given (central_film_m)"
-FIT_ERROR, LINE_FIT_ERROR = 0.25, 0.35
-"""By how much they are too thick, relative: 97.5 % of elliptical and all line contacts of the atlas
-are below. Slender contacts at M near 20 reach 0.40. A test compares."""
+FIT_ERROR, LINE_FIT_ERROR = bar("film.formula"), bar("film.formula_line")
 
 
 @dataclass(frozen=True)

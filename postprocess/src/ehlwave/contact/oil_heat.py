@@ -5,9 +5,10 @@ Andersson, Proc. IMechE J 214, 2000, 337-342); ``&heat`` and the laws of heat ta
 Kinds missing in `usual_heat` have no known source.
 """
 
+from ehlwave.error_bars import bar
 from ehlwave.quantities import ZERO_CELSIUS_K
 
-CRAGOE_ERROR = 0.10
+CRAGOE_ERROR = bar("oil.cragoe")
 """Cragoe, Thermal Properties of Petroleum Products, Bureau of Standards, Miscellaneous Publication
 97, 1929: from the density at 15 C; other handbooks' conductivities of mineral oils lie within.
 Films and friction do not depend on the heat capacity."""
@@ -16,7 +17,7 @@ PAO = {"conductivity_w_per_m_k": 0.153, "heat_capacity_j_per_kg_k": 2046.0}
 """Mean of PAO 4, 10, 40 and 100, 0.141 to 0.165 W/(m K) and 2045 to 2049 J/(kg K): a thermal EHL
 model's input, github.com/DausdasKreuz/Thermoelastohydrodynamics_time_transient, which names no
 measurement."""
-PAO_ERROR = 0.10
+PAO_ERROR = bar("oil.pao")
 WATER_15C = 999.1
 
 

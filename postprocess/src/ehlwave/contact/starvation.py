@@ -14,6 +14,7 @@ from ehlwave.contact.formula import (
     wave_and_direction,
 )
 from ehlwave.duals import np, to_float
+from ehlwave.error_bars import bar
 from ehlwave.errors import RangeError
 
 Floats = NDArray[np.float64]
@@ -27,12 +28,8 @@ WAVE_COEFFICIENTS = (0.7569, 0.6734, -0.8266, 0.9517, 0.2906)
 """
 WAVE_RANGES = {"M": (50.0, 800.0), "L": (4.0, 18.0), "D": (0.1, 1.0), "R": (0.39, 1.0)}
 
-FILM_BAR = 0.013 + 0.004
-"""Error of R, absolute: 95 % of films held out by contacts are within the first, the estimated
-errors of their grids within the second. A test compares with films of finer grids."""
-WAVE_BAR = 0.051 + 0.03
-"""Error of Ad/Ai, absolute: 95 % of responses held out by contacts are within the first, their
-errors by the meniscus, theory eq. (C8), within the second."""
+FILM_BAR, WAVE_BAR = bar("starvation.film"), bar("starvation.wave")
+"""Errors of R and of Ad/Ai, absolute."""
 
 TRANSVERSE, OTHERS = (0.25, 2.0), (0.35, 1.0)
 """Wavelengths over a, along the wave vector, of the responses that the law was fitted to."""

@@ -32,6 +32,7 @@ from ehlwave.contact.formula import wave_and_direction
 from ehlwave.contact.medium import INLET_VISCOSITY, Medium
 from ehlwave.contact.rolling import rolling_transfer
 from ehlwave.duals import np
+from ehlwave.error_bars import bar
 from ehlwave.errors import ArgumentError
 
 Complex = NDArray[np.complex128]
@@ -49,12 +50,10 @@ USUAL_LOAD = 200.0
 MOST_REGAINED = 1.0
 """Largest -Im(psi - psi_1): R is not known so well that more of its loss could be taken back."""
 
-SLIP_ERRORS = {"Ree-Eyring": 0.11, "Newtonian": 0.17, "Carreau": 0.28}
-"""Errors of the law of the two waves, units of Ai, by oil: twice the rms error in conditions held
-out of its fit (``record/two_waves/errors.csv``). No Carreau oil is in the fit: 95 % of drawn waves
-other than ridges along rolling are within (G 1 to 30 MPa, n 0.3 to 0.9;
-``record/judged/sheared_waves.csv``).
-"""
+SLIP_ERRORS = {
+    name: bar(f"two_waves.{name.lower()}") for name in ("Ree-Eyring", "Newtonian", "Carreau")
+}
+"""Errors of the law of the two waves, units of Ai, by oil."""
 
 MOST_CARREAU_SHEAR = (20.0, 50.0)
 """Largest stresses by pressure and by slip in the inlet of a Carreau oil, over its own

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import scipy
 
+from ehlwave.error_bars import bar
 from ehlwave.errors import SurfaceError, see
 
 COLD_K, HOT_K = 313.15, 373.15
@@ -16,8 +17,8 @@ COLD_K, HOT_K = 313.15, 373.15
 
 ISO_GRADES = (2, 3, 5, 7, 10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460, 680, 1000, 1500)
 ISO_GRADES += (2200, 3200)
-GRADE_ERROR = 0.10
-"""Tolerance of ISO 3448: a grade is the viscosity at 40 C within 10 %."""
+GRADE_ERROR = bar("oil.grade")
+"""Tolerance of ISO 3448."""
 
 THINNEST = 0.21
 """Lower limit of ASTM D341, mm2/s."""

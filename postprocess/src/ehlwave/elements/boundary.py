@@ -14,10 +14,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from ehlwave.elements.given import above
+from ehlwave.error_bars import bar
 from ehlwave.errors import SurfaceError
 
 BALL_SHARE, FILLING_DEG = 0.3, 186.0
-DIAMETER_ERROR, PITCH_ERROR, COUNT_ERROR, CONFORMITY_ERROR = 0.08, 0.035, 1, 0.01
+DIAMETER_ERROR, PITCH_ERROR = bar("bearing.ball_diameter"), bar("bearing.pitch_diameter")
+COUNT_ERROR, CONFORMITY_ERROR = int(bar("bearing.ball_count")), bar("bearing.conformity")
 """Errors of ball diameter and pitch diameter, relative, of the number of balls and of conformities,
 absolute."""
 

@@ -12,13 +12,14 @@ from ehlwave.contact.bodies import Body
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.contact.equality import equal_fields
 from ehlwave.elements.hertz import hertz_line, hertz_point, reduced_modulus, reduced_radius
+from ehlwave.error_bars import bar
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.operating_point import Contact
 from ehlwave.shown import percent
 
 ROUND_OFF = 1e-12
 """Difference of the speeds over their mean below which both are equal."""
-ASSUMED_EYRING_PA, ASSUMED_EYRING_ERROR = 5e6, 0.4
+ASSUMED_EYRING_PA, ASSUMED_EYRING_ERROR = 5e6, bar("oil.eyring")
 """Eyring stress of oils without a flow law under slip and heat, with its relative error: mineral
 oils and PAO have 3 to 6 MPa (page of oils)."""
 ASSUMED = (

@@ -22,7 +22,7 @@ the effect of changed data counts. Halving it takes four times as long.
 """
 DATA_SHARE = 10
 """Film error by errors of the oil's data over the accuracy that suffices beside it."""
-MINIMUM_ERROR = 0.05
+LARGE_MINIMUM_ERROR = 0.05
 """Error of the smallest film above which the grid is refined; at least four times the accuracy."""
 LARGEST_LINE = 8192
 """Cells of the refined grids of line contacts at most."""
@@ -113,7 +113,7 @@ def smooth_case(
     found = run_case({**keys, "accuracy": accuracy}, progress)
     largest = LARGEST_GRID // (STARVED_SHARE if conditions.is_starved else 1)
     largest //= 1 if heat is None else WARM_SHARE
-    while _number(found, "minimum_film_error") > max(MINIMUM_ERROR, 4 * accuracy):
+    while _number(found, "minimum_film_error") > max(LARGE_MINIMUM_ERROR, 4 * accuracy):
         # The smallest film lies in the side lobes: cells across are refined first.
         x, y = found["cells_x"], found["cells_y"]
         finer = {"cells_x": x if y < x else 2 * x}

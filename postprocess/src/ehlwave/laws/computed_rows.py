@@ -8,6 +8,7 @@ import numpy as np
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
+from ehlwave.error_bars import bar
 from ehlwave.errors import RangeError
 from ehlwave.laws.computed_waves import AMPLITUDE, error_of, film_of
 from ehlwave.laws.transfer import Waves
@@ -20,7 +21,7 @@ ACCURACY, FINER_ACCURACY = 0.05, 0.015
 `LARGE_ERROR`. Asking for less at once takes up to 50 times as long for short waves."""
 LARGE_ERROR = 0.025
 """Absolute error of a computed wave above which it is computed again."""
-STARVED_ACCURACY, STARVED_ERROR = 0.2, 0.04
+STARVED_ACCURACY, LARGE_STARVED_ERROR = 0.2, 0.04
 """Relative error that is asked for waves of starved contacts at first, and absolute error above
 which they are computed again: little is left of long waves, and a small relative error takes ten
 times as long."""
@@ -33,11 +34,10 @@ MOST_FROZEN = 0.3
 """Largest error by frozen temperatures; above it there is no answer without marches."""
 NEGLIGIBLE_FROZEN = 0.05
 """Error by frozen temperatures below which linear responses answer alone."""
-NEWTONIAN_FROZEN = 2.0
+NEWTONIAN_FROZEN = bar("frozen.newtonian")
 """Factor on the program's estimate of this error, for Newtonian oils under slip."""
-SMALL, CHANGE_ERROR = 0.02, 0.1
-"""Ai over the film of marches. Error of the change by passing temperatures, over the change: 96
-cells differ from 64 by 6 to 8 % of it (a ball under slip, 1.3 and 3 a)."""
+SMALL, CHANGE_ERROR = 0.02, bar("frozen.change")
+"""Ai over the film of marches. Error of the change by passing temperatures, over the change."""
 LINE_CELLS: dict[str, Any] = {"cells_x": 256}
 CELLS: tuple[dict[str, Any], ...] = (
     {"cells_x": 96, "cells_y": 64},
@@ -125,10 +125,11 @@ class ComputedRows:
             found |= dict(zip(here, rows, strict=True))
         rows = [found[k] for k in range(len(every))]
         needed = [
-            lengths | {"accuracy": STARVED_ERROR / max(abs(film_of(row)), STARVED_ERROR)}
+            lengths
+            | {"accuracy": LARGE_STARVED_ERROR / max(abs(film_of(row)), LARGE_STARVED_ERROR)}
             for row, lengths in zip(rows, every, strict=True)
         ]
-        return self._finer(rows, shared, needed, STARVED_ERROR)
+        return self._finer(rows, shared, needed, LARGE_STARVED_ERROR)
 
     def changes(self, waves: Waves, angle: float) -> list[Result]:
         """Return what marches add that carry the temperatures of oil and surfaces.

@@ -12,6 +12,7 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.medium import hertz_medium
 from ehlwave.contact.scales import first_integral, integral_combinations, moes_per_film
 from ehlwave.duals import math, np, to_float
+from ehlwave.error_bars import bar
 
 Floats = NDArray[np.float64]
 
@@ -30,13 +31,11 @@ SLIGHT_SLIP, SLIGHTEST_SLIP = 0.1, 1e-3
 """Deviations of S from 1: friction is less well known below the first, and below the second as
 little as there."""
 
-SLIGHT_SLIP_ERROR, THICKENED = 1.6, 10.0
+SLIGHT_SLIP_ERROR, THICKENED = bar("friction.slight_slip"), 10.0
 """Times M^(-1/2) the relative error of friction that slight slip adds at most, where alpha ph is
-the latter or more; in proportion below. 95 % of drawn contacts keep to it."""
-LINE_ERROR = 0.06
-"""Error of lines at any M: few contacts of their atlas slip so little. Without it 10 of 68 drawn
-lines with S within 0.00003 to 0.1 of 1 were outside their error, by up to 2.3 times.
-"""
+the latter or more; in proportion below."""
+LINE_ERROR = bar("friction.slight_slip_line")
+"""Error of lines at any M: few contacts of their atlas slip so little."""
 
 
 def slight_slip_error(conditions: Conditions) -> float:

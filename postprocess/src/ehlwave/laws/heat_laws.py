@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
 from ehlwave.duals import np, to_float
+from ehlwave.error_bars import bar
 from ehlwave.laws import light_lines
 from ehlwave.laws.friction_error import error_by_data
 from ehlwave.laws.inlet_warming import inlet_factor, thermal_loading, wall_parameter
@@ -24,14 +25,13 @@ Floats = NDArray[np.float64]
 
 FRICTION_COEFFICIENTS = (0.21094, 0.58558, -0.099452, 0.40403, 0.2051, 0.35686, 39.566)
 """Coefficients of :func:`friction_factor`."""
-FRICTION_BAR, COLD_BAR = 0.12, 0.021
-"""Relative errors of friction with and without heat: 95 % of contacts held out are within. Errors
-of films come from :func:`ehlwave.laws.warm_films.film_error`."""
-ELLIPSE_BAR = 0.05
-"""More relative error of friction in ellipses: without it 4 of 32 fresh contacts are outside."""
-SOFT_FILMS, SOFT_FRICTION = 0.015, 0.08
-"""More relative error of films and friction of ellipses whose Eyring stress is below the fit: 2 of
-24 films of computed contacts are outside without, of ``scripts/study heat-ends``."""
+FRICTION_BAR, COLD_BAR = bar("heat.friction"), bar("heat.friction_cold")
+"""Relative errors of friction with and without heat. Errors of films come from
+:func:`ehlwave.laws.warm_films.film_error`."""
+ELLIPSE_BAR = bar("heat.ellipses")
+"""More relative error of friction in ellipses."""
+SOFT_FILMS, SOFT_FRICTION = bar("heat.soft_films"), bar("heat.soft_friction")
+"""More relative error of films and friction of ellipses whose Eyring stress is below the fit."""
 NEWTONIAN_PA = 1e12
 """An Eyring stress that thins no oil."""
 WEDGE_POWER = 0.67
@@ -54,7 +54,7 @@ surfaces do: at Peclet numbers from 0.3 and slide-to-roll ratios up to 1.8 the m
 central films by at most 0.4, smallest by 0.8 and friction by 0.2 times the error of the laws.
 """
 LOWEST_RATIO = 0.2
-THICK_BAR, THICK_FILM = 0.12, RANGES["film over Hertz approach"][1]
+THICK_BAR, THICK_FILM = bar("heat.thick_lines"), RANGES["film over Hertz approach"][1]
 """More relative error of friction of line contacts above this film over the Hertz approach."""
 LIGHT_M = 2.0
 """M of lines in the fit at least; lighter ones, and thicker films, have the errors of light lines.

@@ -11,28 +11,25 @@ from typing import NamedTuple
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.duals import np
+from ehlwave.error_bars import bar
 
 Floats = NDArray[np.float64]
 
 THINNEST_FILM = 1.0
 """Film over the Hertz approach from which the factor of friction counts."""
 COEFFICIENTS = (0.17908, 1.0444, 8.6437, 2.4808, 2.3216)
-FRICTION_BAR, FILM_BAR, FILM_BAR_BY_LOSS = 0.37, 0.01, 0.05
-"""Relative error of friction; of films, in addition to the error of the laws of heat: constant,
-and by the loss at the inlet. Friction of 95 % of contacts held out is within; the form of its
-factor was chosen among seven by half of them. Contacts drawn afresh judge both:
-``postprocess/record/heat/ends_coverage.csv``.
-"""
-RIGID_BAR_BY_LOSS = 0.5
-"""As the last, of rolling contacts whose load hardly deforms the bodies, set on 29 lines; all of 60
-drawn afresh, M = 0.02 to 0.6, are within, and so are 12 ellipses, whose loss is about half."""
+FRICTION_BAR = bar("light_lines.friction")
+FILM_BAR, FILM_BAR_BY_LOSS = bar("light_lines.film"), bar("light_lines.film_by_loss")
+"""Relative error of films in addition to the error of the laws of heat: constant, and by the loss
+at the inlet."""
+RIGID_BAR_BY_LOSS = bar("light_lines.rigid_by_loss")
+"""As the last, of rolling contacts whose load hardly deforms the bodies."""
 
 
 FITTED_L, FITTED_ROLLING_L = 20.0, 25.0
 """L of sliding and of rolling contacts up to which the laws of heat are fitted."""
-OILY_FILMS, OILY_FRICTION = 1.5, 0.08
-"""Factor of film errors beyond, and more error of friction. Without them 87 % of rolling films and
-11 of 13 frictions are within."""
+OILY_FILMS, OILY_FRICTION = bar("light_lines.oily_films"), bar("light_lines.oily_friction")
+"""Factor of film errors beyond, and more error of friction."""
 
 
 class LightRange(NamedTuple):

@@ -18,16 +18,16 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.formula import power_ratio
 from ehlwave.contact.oils import DENSITY_LIMIT, DENSITY_PA, Oil, log_viscosity
 from ehlwave.contact.starvation import FILM_RANGES, film_sharpness
+from ehlwave.error_bars import bar
 from ehlwave.errors import SurfaceError
 from ehlwave.laws.starved_transfer import check_starved
 
 Floats = NDArray[np.float64]
 
-SHARPNESS_ERROR = 0.15
-"""Relative error of g, as contacts computed one behind another differ from it. R at r = 1 is then
-off by more than its error bar."""
-TIME_FACTOR = 2.0
-"""Measured films decay that much faster or slower than by (C6): van Zoelen, Venner and Lugt."""
+SHARPNESS_ERROR = bar("replenishment.sharpness")
+"""Relative error of g. R at r = 1 is then off by more than its error bar."""
+TIME_FACTOR = bar("replenishment.time")
+"""Measured films decay that much faster or slower than by (C6)."""
 POINTS = 61
 PIECES = 2000
 """Pieces of a track, at most, on each of which g and the film behind are constant."""

@@ -17,6 +17,7 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.oils import log_viscosity
 from ehlwave.contact.scales import moes_per_film
 from ehlwave.duals import Dual, count_of, math, np, root, to_float, valued
+from ehlwave.error_bars import bar
 from ehlwave.laws.atlas.chart import SmoothFilm
 from ehlwave.laws.atlas.coordinates import hertz_film
 from ehlwave.laws.atlas.ranges import LINE_RANGES, THICKEST_FILM, WIDE_RANGES
@@ -41,12 +42,10 @@ class Deformed(NamedTuple):
     error_by_growth: float
 
 
-LINE = Deformed(0.6, 0.015, 0.4)
-"""Set on 15 contacts of ehlwave-case, M = 0.06 to 0.4 and L = 2 to 20; 54 drawn afresh, M = 0.02 to
-0.4 and L = 2 to 25, are within 0.21 times the error."""
-ELLIPSE = Deformed(0.08, 0.01, 0.2)
-"""Set on 51 contacts of ehlwave-case, D = 0.012 to 1, L = 2 to 42, up to 10 Hertz approaches thick;
-60 drawn afresh, up to 20 Hertz approaches, are within 0.42 times the error."""
+LINE = Deformed(0.6, bar("rigid_films.line"), bar("rigid_films.line_by_growth"))
+"""Set on contacts of ehlwave-case, M = 0.06 to 0.4 and L = 2 to 20."""
+ELLIPSE = Deformed(0.08, bar("rigid_films.ellipse"), bar("rigid_films.ellipse_by_growth"))
+"""Set on contacts of ehlwave-case, D = 0.012 to 1, L = 2 to 42, up to 10 Hertz approaches thick."""
 
 
 def is_rigid(conditions: Conditions) -> bool:

@@ -12,12 +12,10 @@ from typing import NamedTuple
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.scales import ellipticity, integral_combinations
 from ehlwave.duals import math, to_float
+from ehlwave.error_bars import bar
 
-LINE_ERROR, POINT_ERROR = 0.18, 0.55
-"""Relative. Twelve contacts of ``ehlwave-case`` (M of 1.8 to 4,300, L of 8 to 16, D of 0 and 0.033
-to 1) with oil out to Rx are 0 to 10 % above the formula of lines, 14 to 52 % above the formula of
-points; at M = 5 lines are 15 % above (theory, after (T14)). With little oil around the contact
-points lie below the formula. A test has the values."""
+LINE_ERROR, POINT_ERROR = bar("rolling.line"), bar("rolling.point")
+"""Relative (theory, after (T14)). A test has computed values."""
 
 
 class Rolling(NamedTuple):

@@ -25,6 +25,7 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.heat_data import Heat
 from ehlwave.duals import np, to_float
+from ehlwave.error_bars import bar
 from ehlwave.errors import RangeError
 from ehlwave.laws.answers import Film
 from ehlwave.laws.transfer import OfTwo, Transfer, Waves
@@ -37,15 +38,12 @@ FILM_POWER = 0.67
 MOST_NEWTONIAN = 0.3
 """Largest w of Newtonian oils under slip. Marches are within the error below; above, five of 16 are
 off by 1.2 to 3.2 times the error (record ``judged``)."""
-BEYOND, MORE_ERROR = 1.5, 0.02
-"""Factor on the error, and further error, of contacts outside the ranges of the laws of heat. Three
-marches of catalogue contacts are off by 0.027, 0.028 and 0.081, of errors 0.14, 0.044 and 0.10.
-"""
+BEYOND, MORE_ERROR = bar("warm_waves.beyond"), bar("warm_waves.more")
+"""Factor on the error, and further error, of contacts outside the ranges of the laws of heat."""
 MOST_WARMTH = 3.0
 """From which on the error does not grow."""
-SMALL_CHANGE, SMALL_SHARE = 0.02, 0.5
-"""Change |R1 - R0| up to which the error has so much more of it: in rolling lines with 5 % less
-film by heat, moving heat changes waves as much again as the thinner film (8 marches)."""
+SMALL_CHANGE, SMALL_SHARE = 0.02, bar("warm_waves.small_change")
+"""Change |R1 - R0| up to which the error has so much more of it."""
 
 
 @cache

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from ehlwave.error_bars import bar
 from ehlwave.shown import Shown
 from ehlwave.stress.criteria import CRITERIA, largest_shear
 from ehlwave.stress.dang_van import Path, dang_van_factor, dang_van_path
@@ -19,7 +20,7 @@ Floats = NDArray[np.float64]
 INNER = 0.5
 """In semi-axes: the ripple is judged where it matches the centre, short of edges and spike."""
 
-EDGE_SHARE = 0.5
+EDGE_SHARE = bar("stress.edge_share")
 """Relative error of the ripple's share of Dang Van's factor: passages begin and end at the edges of
 the contact, where it is unknown. Marches of 12 traces (D of 0.25 to 1, S of 0.7 to 1.5, amplitudes
 of 0.15 to 0.3 of the film) had 0.4 at most, beside the error of the smooth factor.

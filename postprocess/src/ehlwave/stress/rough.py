@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.choices import POISSON_RATIO
 from ehlwave.contact.conditions import Conditions
+from ehlwave.error_bars import bar
 from ehlwave.errors import StressError, see
 from ehlwave.shown import Shown, within
 from ehlwave.stress.body import BodyStress, judge_body
@@ -34,7 +35,7 @@ from ehlwave.surface.rough_pressure import Ripple, ripple_of
 
 Floats = NDArray[np.float64]
 
-AMPLITUDE_ERROR = 0.2
+AMPLITUDE_ERROR = bar("stress.ripple_amplitude")
 """Relative error of the ripple at that amplitude, of both surfaces; it grows with the amplitude."""
 
 REACH = 2.0

@@ -3,15 +3,14 @@
 import math
 from collections.abc import Sequence
 
+from ehlwave.error_bars import bar
 from ehlwave.shown import percent
 from ehlwave.surface.predict import Deformed
 from ehlwave.surface.ripple import hertz_pressure_of
 from ehlwave.surface.rough_pressure import Ripple
 
-MODEL_ERROR = 0.05
-"""Relative: waves of the centre and Hertz pressure replace the whole contact; against linear
-responses and marches of whole contacts.
-"""
+MODEL_ERROR = bar("stress.model")
+"""Relative: waves of the centre and Hertz pressure replace the whole contact."""
 
 LINEAR_LIMIT = 0.3
 """Amplitude over film up to which the prediction is held to marches."""

@@ -6,6 +6,7 @@ Amplitudes are over the film of the smooth contact.
 import math
 
 from ehlwave.contact.conditions import Conditions
+from ehlwave.error_bars import bar
 from ehlwave.laws.atlas.atlas import kind_for, thinned_kind
 
 VALIDATED_ROLLING, VALIDATED_SLIDING = 1.5, 0.95
@@ -16,30 +17,22 @@ SLIGHT_SLIP, VALIDATED_FASTER = 0.1, 0.3
 """Largest deviation of S from 1 of those marches, and the largest amplitude under more slip, of
 the marched waves that the manual compares with linear responses."""
 
-ROLLING_FACTOR = 0.05
-SLIP_FACTORS = (68.0, 18.0)
+ROLLING_FACTOR = bar("linear.rolling")
+SLIP_FACTORS = (bar("linear.slip_newtonian"), bar("linear.slip_others"))
 """Relative change of Ad/Ai over (amplitude/film)^2, and the same over (S - 1)^2: of Newtonian oils
 with S > 1, of others. A test compares them with ``src/case/linear_range.f90``."""
 
 ROUNDING = 1e-9
 """Rounding of S, where S - 1 is compared."""
 
-PROFILE_FACTOR = 0.28
-"""Relative difference of predicted from marched Rq over (amplitude/film)^2: 95 % of the rough maps
-of ``record/lambda`` are within. Most of it are higher harmonics, which Ad/Ai does not show."""
+PROFILE_FACTOR = bar("profile.second_order")
+"""Relative difference of predicted from marched Rq over (amplitude/film)^2. Most of it are higher
+harmonics, which Ad/Ai does not show."""
 
-RISE_ERRORS = {
-    "rolling": 0.067,
-    "rolling_wide": 0.108,
-    "sliding": 0.12,
-    "sliding_wide": 0.313,
-    "line": 0.0484,
-    "line_sliding": 0.15,
-    "line_newtonian": 0.242,
-}
-"""Error of the rise of the mean film over the film, per (amplitude/film)^2: 95 % of the waves in
-contacts that the networks have not seen (``scripts/study atlas --validate``).
-"""
+RISE_KINDS = ("rolling", "rolling_wide", "sliding", "sliding_wide")
+RISE_KINDS += ("line", "line_sliding", "line_newtonian")
+RISE_ERRORS = {kind: bar(f"rise.{kind}") for kind in RISE_KINDS}
+"""Error of the rise of the mean film over the film, per (amplitude/film)^2, by kind of atlas."""
 
 LOWEST_WIDTH = 0.39
 """Width of :func:`lowest_film` over the film (``record/lambda``)."""

@@ -18,6 +18,7 @@ chosen so that both agree. The film is hardly sensitive to H_b, as crests lift i
 """
 
 from ehlwave.duals import Dual, np, root, to_float, valued
+from ehlwave.error_bars import bar
 from ehlwave.surface.surface import Heights
 
 BINS = 400
@@ -45,18 +46,14 @@ much: they pass the inlet only now and then.
 SMALL_RISE = 0.1
 """Second-order rise over the smooth film up to which it is used as it is."""
 
-ERRORS = {True: (0.01, 0.06), False: (0.03, 0.16)}
-"""Relative error of lines (True) and of points: a part, and a part per mean square of the deformed
-heights over the smooth film (``record/touching/films.jsonl``)."""
-
 FLOOR = 0.02
 """Boundary film over the smooth film where none is given."""
 
 
 def averaged_error(rq: float, *, is_line: bool) -> float:
     """Return the relative error of the mean film; `rq` deformed, over the smooth film."""
-    part, by_square = ERRORS[is_line]
-    return part + by_square * rq**2
+    shape = "line" if is_line else "point"
+    return bar(f"averaged_film.{shape}") + bar(f"averaged_film.{shape}_by_square") * rq**2
 
 
 def is_covered(ratio: float, crest: float, rq: float, rise: float) -> bool:

@@ -16,16 +16,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ehlwave.contact.conditions import Conditions
+from ehlwave.error_bars import bar
 from ehlwave.errors import StressError
 from ehlwave.laws.transfer import FormulaBasis, Transfer
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-USUAL_ERROR = 0.02
+USUAL_ERROR = bar("ripple.response")
 """Error of the response, units of the amplitude, where the transfer has none."""
 
-LARGEST_UPSTREAM = 0.1
+LARGEST_UPSTREAM = bar("ripple.upstream")
 """Units of the amplitude: limit of the error of the complementary wave upstream of the centre.
 Where the wave decays fast its error is unknown there, and limited to this.
 """

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from ehlwave.duals import math, np, to_float, valued
+from ehlwave.error_bars import bar
 from ehlwave.errors import RangeError
 from ehlwave.laws.atlas.coordinates import Complex, Floats
 from ehlwave.laws.atlas.kind import is_within
@@ -13,13 +14,11 @@ from ehlwave.laws.atlas.networks import Networks
 from ehlwave.laws.atlas.shape import Seen
 from ehlwave.shown import Shown
 
-RESPONSE_BY_FILM = 0.8
-"""Change of a response, units of Ai, over the share of its film that a contact loses by thinning:
-of drawn contacts in pure rolling none has more than 0.7."""
+RESPONSE_BY_FILM = bar("chart.response_by_film")
+"""Change of a response, units of Ai, over the share of the film that thinning takes."""
 
-DEVIATIONS = 3.0
-"""Standard deviations between the networks of films that their errors cover at least: at ends of
-the ranges errors that were fitted to the inner contacts are too small."""
+DEVIATIONS = bar("chart.deviations")
+"""Standard deviations between the networks of films that their errors cover at least."""
 
 
 @dataclass(frozen=True)
