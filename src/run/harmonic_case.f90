@@ -109,8 +109,7 @@ contains
       end if
       call estimate_error(plan, result, harmonic, [response%film], abs(response%approach))
       if (.not. steady%has_coarse) return
-      call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), waves, case%natural_frequency, &
-                                          plan%steps_per_cell, coarse)
+      call steady%respond_coarsely(waves, case%natural_frequency, plan%steps_per_cell, coarse)
       if (coarse%status /= status_converged) return
       call harmonic%extrapolate(coarse%film, coarse%pressure)
       call estimate_error(plan, result, harmonic, [response%film, coarse%film], abs(response%approach))

@@ -8,6 +8,7 @@ module ehlwave_shared_steady
    use ehlwave_energy, only: energy_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
+   use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_harmonic_solver, only: harmonic_solver_t
    use ehlwave_kinds, only: dp
    use ehlwave_memory, only: many_nodes
@@ -19,6 +20,7 @@ module ehlwave_shared_steady
    use ehlwave_status, only: status_converged
    use ehlwave_steady_gradient, only: steady_gradient_t
    use ehlwave_text, only: to_text
+   use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
    public :: adjoint_tolerance, grid_of, limits_of, steady_key
@@ -45,6 +47,7 @@ module ehlwave_shared_steady
       procedure :: prepare
       procedure :: work_so_far
       procedure :: linearise
+      procedure :: respond_coarsely
       procedure :: make_room
       procedure :: differentiate
    end type shared_steady_t
@@ -179,7 +182,7 @@ contains
       self%coarse_response%tolerance = case%response_tolerance
       call self%response%init(self%multigrid%levels)
       if (.not. is_large(self)) call self%response%find_tangent(self%multigrid%levels)
-      if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))
+      if (self%has_coarse .and. .not. is_large(self)) call self%coarse_response%init(self%multigrid%levels(:n - 1))
       self%is_linearised = .true.
       self%linear_work = self%multigrid%work() - work_before
    end subroutine linearise
@@ -189,6 +192,20 @@ contains
       type(shared_steady_t), intent(in) :: self
       is_large = size(self%multigrid%levels(size(self%multigrid%levels))%state%p) > self%most_nodes
    end function is_large
+
+   !> Response of the next coarser level, if `has_coarse`. Of a large grid its system is there for this time only.
+   subroutine respond_coarsely(self, waviness, natural_frequency, steps_per_cell, response)
+      class(shared_steady_t), intent(inout) :: self
+      type(waviness_t), intent(in) :: waviness
+      real(dp), intent(in) :: natural_frequency      !! Omega of the equation of motion; 0: force balance
+      integer, intent(in) :: steps_per_cell          !! m for dT = hX/m
+      type(harmonic_response_t), intent(out) :: response
+      associate (levels => self%multigrid%levels(:size(self%multigrid%levels) - 1))
+         if (is_large(self)) call self%coarse_response%init(levels)
+         call self%coarse_response%respond(levels, waviness, natural_frequency, steps_per_cell, response)
+         if (is_large(self)) call self%coarse_response%drop()
+      end associate
+   end subroutine respond_coarsely
 
    !> Provide the tangent, for steps after a response. On a large grid it replaces the system of the response, which
    !> the next case makes anew, unless it is still needed.

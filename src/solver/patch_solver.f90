@@ -28,7 +28,10 @@ module ehlwave_patch_solver
    end type patch_solver_t
 
    real(dp), parameter :: quiet_share = 0.03_dp  !! share of the largest residual: nodes below do not call for a patch
-   real(dp), parameter :: largest_patch = 0.2_dp    !! share of the nodes of the whole
+   ! Largest share of the nodes of the whole. A front of waves at the steep end leaves a large residual along the end:
+   ! there larger patches save Newton steps of the whole.
+   real(dp), parameter :: largest_patch(2) = [0.2_dp, 0.5_dp]   !! residuals below `large`, and above
+   real(dp), parameter :: large = 0.03_dp
    integer, parameter :: margin = 4                 !! nodes around those that call for it
    integer, parameter :: size_step = 8              !! patches have multiples of so many cells, so that few sizes occur
    integer, parameter :: most_steps = 6
@@ -125,7 +128,8 @@ contains
       end do
       call widen(grid%nx, first(1), last(1))
       call widen(grid%ny, first(2), last(2))
-      if (product(real(last - first, dp)) > largest_patch*grid%nx*grid%ny) last = first
+      if (product(real(last - first, dp)) > merge(largest_patch(2), largest_patch(1), maxval(largest) > large)* &
+          grid%nx*grid%ny) last = first
       do j = first(2) + 1, last(2) - 1
          largest(j) = max(maxval(gain(:first(1), j)), maxval(gain(last(1):, j)))
       end do

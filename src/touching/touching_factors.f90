@@ -2,9 +2,10 @@
 !>
 !> Pressures of oil and solids together are q = T w. Where the deformation decides, as under a high pressure or where
 !> solids bear, T is the reciprocal of the deformation; where the flow decides, it is 1. With these unknowns w the
-!> equations are close to local everywhere: incomplete factors of their near part serve all waves. The oil where solids
-!> bear follows, by factors of its own.
+!> equations are close to local everywhere: incomplete factors of their near part serve all waves, with corrections on
+!> coarser grids where the flow decides. The oil where solids bear follows, by factors of its own.
 module ehlwave_touching_factors
+   use ehlwave_coarse_factors, only: coarse_factors_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_cycle_settings, only: diagonal_shift
    use ehlwave_grid, only: grid_t
@@ -23,12 +24,13 @@ module ehlwave_touching_factors
       type(inverse_deformation_t), private :: inverse
       type(near_kernel_t), private :: kernel
       type(node_factors_t), private :: all                  ! of w
+      type(coarse_factors_t), private :: coarse             ! of w where the flow decides
       type(touching_oil_factors_t) :: oil                   !! of the oil where solids bear
       real(dp), allocatable, private :: inverse_near(:, :)  ! T at offsets, shape of the kernel's influence
       real(dp), allocatable, private :: part(:, :)          ! Psi, beyond the edges too: 0 there
-      real(dp), allocatable, private :: scale(:, :), field(:, :), image(:, :), packed(:, :)
+      real(dp), allocatable, private :: scale(:, :), field(:, :), image(:, :), packed(:, :), right(:, :)
       real(dp) :: operations = 0                            !! of T,
-      integer :: entries = 0                                !! and of a node's row
+      integer :: entries = 0                                !! and of a node's row, with corrections
    contains
       procedure :: init
       procedure :: make
@@ -38,7 +40,7 @@ module ehlwave_touching_factors
 
    integer, parameter :: beyond = 10                        !! nodes beyond the edges with Psi = 0
    !> Resistance of the shortest waves by flow over that by deformation above which T is 1.
-   real(dp), parameter :: decisive = 10
+   real(dp), parameter :: decisive = 1
    !> Psi^2 that counts as 0: there the oil flows easily.
    real(dp), parameter :: least_part = 1e-2_dp
 
@@ -56,9 +58,10 @@ contains
          self%kernel = new_near_kernel(grid, elliptic%kappa, elliptic%k, near_settings_t())
          call self%inverse%near(grid, near)
          self%operations = self%inverse%operations
-         self%entries = self%kernel%entries
+         ! corrections of an elliptical contact cost as much again
+         self%entries = merge(1, 2, grid%is_line)*self%kernel%entries
          if (allocated(self%inverse_near)) deallocate (self%inverse_near, self%part, self%scale, self%field, &
-            self%image, self%packed)
+            self%image, self%packed, self%right)
          allocate (self%inverse_near, mold=self%kernel%influence)
          do j = lbound(self%inverse_near, 2), ubound(self%inverse_near, 2)
             do i = lbound(self%inverse_near, 1), ubound(self%inverse_near, 1)
@@ -66,12 +69,14 @@ contains
             end do
          end do
          call self%all%init(grid, self%kernel%reach_x, self%kernel%reach_y)
+         call self%coarse%init(grid, self%kernel%reach_x, self%kernel%reach_y)
          call self%oil%init(grid, self%kernel%reach_y)
          allocate (self%part(-beyond:grid%nx + beyond, -beyond:grid%ny + beyond), source=0.0_dp)
          call grid%new_field(self%scale)
          call grid%new_field(self%field)
          call grid%new_field(self%image)
          allocate (self%packed(grid%last_row - grid%first_row + 1, grid%nx - 1))
+         allocate (self%right, mold=self%packed)
       end associate
    end subroutine init
 
@@ -86,19 +91,21 @@ contains
       integer :: attempt, i, middle
       logical :: is_bounded
 
-      call self%oil%make(grid, equations, state)
+      call self%oil%make(grid, equations, law%is_soft, state)
       call divide(self, grid, equations, state)
       middle = self%kernel%entries/2 + 1
       do attempt = 1, size(diagonal_shift)
          call self%all%begin()
          do i = 1, grid%nx - 1
             call near_rows_of(self, grid, equations, law, state, i, rows)
+            if (attempt == 1) call self%coarse%put_line(i, rows, flow_decides(self, grid, state, i))
             rows(:, middle) = (1 + diagonal_shift(attempt))*rows(:, middle)
             call self%all%put_line(i, rows, self%scale(i, grid%first_row:grid%last_row))
          end do
          call self%all%finish(is_bounded)
          if (is_bounded) exit
       end do
+      call self%coarse%finish()
    end subroutine make
 
    !> Psi, the part of T that is the reciprocal of the deformation.
@@ -126,6 +133,19 @@ contains
          self%part(:, -j) = self%part(:, j)
       end do
    end subroutine divide
+
+   !> Unknown nodes at one X that corrections on coarser grids are for: the flow decides more than the deformation.
+   pure function flow_decides(self, grid, state, i) result(decides)
+      class(touching_factors_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      type(touching_state_t), intent(in) :: state
+      integer, intent(in) :: i
+      logical :: decides(grid%last_row - grid%first_row + 1)
+      associate (first => grid%first_row, last => grid%last_row)
+         decides = self%part(i, first:last)**2 < 0.5_dp .and. &
+                   .not. (state%is_touching(i, first:last) .or. state%is_cavitated(i, first:last))
+      end associate
+   end function flow_decides
 
    !> Rows of all unknown nodes at one X: the product of the local equations and of T.
    subroutine near_rows_of(self, grid, equations, law, state, i, rows)
@@ -177,9 +197,11 @@ contains
 
       associate (first => grid%first_row, last => grid%last_row, nx => grid%nx)
          do i = 1, nx - 1
-            self%packed(:, i) = residual(i, first:last)*self%scale(i, first:last)
+            self%right(:, i) = residual(i, first:last)
+            self%packed(:, i) = self%right(:, i)*self%scale(i, first:last)
          end do
          call self%all%solve(self%packed, is_transposed=.false.)
+         call self%coarse%correct(self%right, self%packed)
          q = 0
          do i = 1, nx - 1
             q(i, first:last) = self%packed(:, i)
@@ -223,9 +245,10 @@ contains
          do i = 1, nx - 1
             self%packed(:, i) = residual(i, first:last)
          end do
+         call self%coarse%correct_transposed(self%packed, self%right)
          call self%all%solve(self%packed, is_transposed=.true.)
          do i = 1, nx - 1
-            residual(i, first:last) = self%packed(:, i)*self%scale(i, first:last)
+            residual(i, first:last) = self%right(:, i) + self%packed(:, i)*self%scale(i, first:last)
          end do
       end associate
    end subroutine solve_transposed

@@ -131,7 +131,9 @@ contains
          self%c(1:last, j) = max(0.0_dp, self%c(:last - 1, j) + rises(steady%c(:last, j)))
          self%theta(1:last, j) = max(0.0_dp, min(1.0_dp, self%theta(:last - 1, j) + rises(steady%theta(:last, j))))
          self%is_touching(1:last, j) = self%is_touching(:last - 1, j) .neqv. changes(steady%is_touching(:last, j))
-         self%is_cavitated(1:last, j) = self%is_cavitated(:last - 1, j) .neqv. changes(steady%is_cavitated(:last, j))
+         ! the outlet stays, though its edge may be a few nodes from the steady edge
+         self%is_cavitated(1:last, j) = merge(self%is_cavitated(1:last, j), self%is_cavitated(:last - 1, j), &
+                                              steady%is_cavitated(1:last, j))
       end do
       self%is_touching = self%is_touching .and. self%c > 0
       call self%keep_to_sets()

@@ -96,8 +96,9 @@ contains
          end associate
          dr = -dr
          b(linear%n) = 0
+         deallocate (g)                    ! not kept beside the solve
          call self%respond_to(levels, b, response)
-         response%h = response%h + g
+         response%h = response%h + waviness%amplitude_at(grid%x, grid%y)
          call response%take_centre(grid)
       end associate
    end subroutine respond
@@ -118,7 +119,7 @@ contains
             call respond_really(self, levels, real(b, dp), response)
             return
          end if
-         allocate (x(linear%n), response%p(0:grid%nx, 0:grid%ny), response%h(0:grid%nx, 0:grid%ny))
+         allocate (x(linear%n))
          call linear%borrow(levels)
          call self%gmres%solve(linear, b, x, self%tolerance)
          response%linear_steps = self%gmres%steps
@@ -129,8 +130,10 @@ contains
             response%status = status_converged
          end if
          q(0:grid%nx, 0:grid%ny) => x(:linear%n - 1)
-         response%p = q
+         allocate (response%p(0:grid%nx, 0:grid%ny), source=q)
          response%approach = x(linear%n)
+         deallocate (x)
+         allocate (response%h(0:grid%nx, 0:grid%ny))
          call linear%film_change(response%p, response%approach, response%h)
          call linear%release()
          call response%take_centre(grid)

@@ -75,8 +75,9 @@ def identify(
     Raises
     ------
     ArgumentError
-        If something is missing, there are fewer values than parameters, or a measured contact has
-        no derivatives: none of computed contacts with heat.
+        If something is missing, there are fewer values than parameters, a measured contact has no
+        derivatives (computed contacts with heat have none), or the fit ends where no law and no
+        program answers.
 
     Examples
     --------
