@@ -60,7 +60,7 @@ contains
       integer :: cells(2)
 
       cells = [case%cells_x, case%cells_y]
-      where (cells == 0) cells = large_grid        ! the plan chooses
+      where (cells == 0) cells = min(large_grid, case%largest_cells)   ! the plan chooses
       gains = any(cells > large_grid)
       if (conditions%steepness() >= heavy_load .or. case%oil%viscosity_law == barus) &
          gains = gains .or. all(cells >= large_grid)
