@@ -20,7 +20,7 @@ module ehlwave_touching_case
    use ehlwave_status, only: is_success, status_converged, status_unresolved
    use ehlwave_text, only: to_text
    use ehlwave_touching_continuation, only: reach_share, reach_speed, start_steady
-   use ehlwave_touching_march, only: count_steps, march_touching
+   use ehlwave_touching_march, only: count_steps, march_touching, unrest
    use ehlwave_touching_march_state, only: most_meshes, touching_march_t
    use ehlwave_touching_newton, only: touching_solver_t
    use ehlwave_touching_account_result, only: error_of, state_of, touching_values_t
@@ -88,8 +88,8 @@ contains
          if (n < 0) n = most_meshes
          result%effects%touching%account%touching_values_t = march%meshes(1)
          result%effects%touching%account%planned_meshes = size(plans)
-         call result%effects%touching%account%estimate(march%meshes(2:n), plan%hx)
-         result%friction_error = friction_error(case, plan, march%meshes(:n))
+         result%effects%touching%seeks_speed = case%effects%touching%data%seeks_speed()
+         call estimate_errors(case, plan, march%meshes(:n), result)
          call take_solution(case, plan, solver, state, result)
       end if
       result%work = solver%work()
@@ -216,16 +216,27 @@ contains
          sign(case%effects%touching%data%solid_friction*share, plan%conditions%slip_parameter - 1)
    end function solid_friction
 
-   !> Relative error of the friction coefficient by the mesh; NaN without a wider mesh or sliding.
-   pure real(dp) function friction_error(case, plan, levels) result(error)
+   !> Errors by the mesh, and of a march by its unrest. The relative error of friction is NaN without a wider mesh or
+   !> sliding.
+   subroutine estimate_errors(case, plan, levels, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(touching_values_t), intent(in) :: levels(:)   !! the finest first
-      real(dp) :: friction(size(levels))
-      error = no_value
-      friction = levels%friction_oil + solid_friction(case, plan, levels%share)
-      if (size(levels) > 1 .and. abs(friction(1)) > 0) error = error_of(friction)/abs(friction(1))
-   end function friction_error
+      type(case_result_t), intent(inout) :: result
+      real(dp) :: friction(size(levels)), unsettled(3)
+
+      associate (account => result%effects%touching%account)
+         unsettled = 0
+         if (plan%kind == run_march) unsettled = &
+            [unrest(plan, account%share_history), unrest(plan, account%area_history), &
+             unrest(plan, account%friction_history + solid_friction(case, plan, account%share_history))]
+         call account%estimate(levels(2:), plan%hx, unsettled(:2))
+         result%friction_error = no_value
+         friction = levels%friction_oil + solid_friction(case, plan, levels%share)
+         if (size(levels) > 1 .and. abs(friction(1)) > 0) &
+            result%friction_error = (error_of(friction) + unsettled(3))/abs(friction(1))
+      end associate
+   end subroutine estimate_errors
 
    !> Films, friction, fields and warnings of the last solution.
    subroutine take_solution(case, plan, solver, state, result)

@@ -16,7 +16,7 @@ module ehlwave_touching_march
    use ehlwave_touching_state, only: touching_state_t
    implicit none (type, external)
    private
-   public :: count_steps, march_touching
+   public :: count_steps, march_touching, unrest
 
    integer, parameter :: most_cuts = 4   !! halvings of the change of the roughness in a step
    real(dp), parameter :: slow = 0.5_dp  !! S of roughness that is closer to rest than to the oil
@@ -74,6 +74,25 @@ contains
       result%time_steps = plan%steps
       result%mean_film = sum(result%film_history(first:))/(plan%steps - first + 1)
    end subroutine march_touching
+
+   !> Largest difference of the mean of a quantity over the measured time to its means up to two periods before: waves
+   !> repeat once a march has settled, apart from the position of steps in a period. 0 of measured surfaces, whose
+   !> passage has no period.
+   pure real(dp) function unrest(plan, history)
+      type(case_plan_t), intent(in) :: plan
+      real(dp), intent(in) :: history(:)                 !! of all steps
+      integer :: first, n, period
+
+      unrest = 0
+      if (.not. plan%measures .or. plan%surfaces%is_measured()) return
+      period = nint(plan%surfaces%longest_period()/plan%dt)
+      first = min(plan%first_sample + 1, plan%steps)
+      do n = 1, 2
+         if (first - n*period < 1) exit
+         unrest = max(unrest, abs(sum(history(first:) - history(first - n*period:plan%steps - n*period))) &
+                      /(plan%steps - first + 1))
+      end do
+   end function unrest
 
    !> Values of a step in the histories, and in the means over `measured` steps, if any.
    subroutine note_step(solver, state, k, measured, values, result)

@@ -162,6 +162,21 @@ class Marches(FolderTest):
         self.assertNotIn("(Newtonian oil)", printed)
         self.assertNotIn("respond", printed)
 
+    def test_settling(self):
+        """The error of a share that has not settled has its change from period to period."""
+        early = contact(96, 0.03, 1, None, WAVE | {"amplitude_m": 0.2e-6})
+        late = solve(**groups_of(96, 0.03, 1, waviness=WAVE | {"amplitude_m": 0.2e-6}), dynamics={"end_time": 12})
+        off = abs(early["touching_share"] - late["touching_share"])
+        self.assertGreater(off, 1e-3)
+        self.assertGreater(early["touching_share_error"], late["touching_share_error"] + off)
+
+    def test_error_of_speed(self):
+        """Where the share is given, the report prints the error of the speed and no error of the share."""
+        (self.folder/"case.nml").write_text(namelist(groups_of(96, share=0.3)))
+        printed = run("case", "case.nml", folder=self.folder).stdout
+        self.assertRegex(printed, r"(?m)^Touching     share 0\.3 of the load, area")
+        self.assertRegex(printed, r"m/s \(relative error 0\.\d+\), friction of the oil")
+
     def test_artefact(self):
         """A share that falls with the mesh size is flagged."""
         found = contact(192, 0.1, 1, None, WAVE | {"amplitude_m": 0.1e-6})

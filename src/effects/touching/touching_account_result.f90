@@ -29,7 +29,7 @@ module ehlwave_touching_account_result
    end type touching_values_t
 
    type, extends(touching_values_t), public :: touching_account_t
-      real(dp) :: share_error = no_value, area_error = no_value   !! by the mesh, absolute
+      real(dp) :: share_error = no_value, area_error = no_value   !! absolute
       real(dp) :: speed_error = no_value                          !! relative
       logical :: is_artefact = .false.             !! whether the share falls with the mesh size
       real(dp) :: solid_friction = no_value        !! friction coefficient of the solids
@@ -112,18 +112,18 @@ contains
    end function state_of
 
    !> Errors by the mesh: the difference to the mesh twice as wide, or a quarter of the difference before where that
-   !> is more;
-   !> of the area a cell at either edge besides. The share is an artefact where it is above 0 and falls each time the
-   !> mesh is halved.
-   subroutine estimate(self, levels, hx)
+   !> is more; of the area a cell at either edge besides. In a march its unrest is added. The share is an artefact where
+   !> it is above 0 and falls each time the mesh is halved.
+   subroutine estimate(self, levels, hx, unrest)
       class(touching_account_t), intent(inout) :: self
       class(touching_values_t), intent(in) :: levels(:)   !! the same on wider meshes, the finest first
       real(dp), intent(in) :: hx                          !! mesh size of the result
+      real(dp), intent(in) :: unrest(2)                   !! of share and area
 
       self%meshes = 1 + size(levels)
       if (size(levels) == 0) return
-      self%share_error = error_of([self%share, levels%share])
-      self%area_error = error_of([self%area, levels%area]) + hx
+      self%share_error = error_of([self%share, levels%share]) + unrest(1)
+      self%area_error = error_of([self%area, levels%area]) + hx + unrest(2)
       self%speed_error = error_of([self%speed, levels%speed])/self%speed
       if (self%share > notable) self%is_artefact = self%share < falling*levels(1)%share
       if (size(levels) > 1) self%is_artefact = self%is_artefact .and. levels(1)%share < levels(2)%share

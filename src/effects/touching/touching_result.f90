@@ -14,6 +14,7 @@ module ehlwave_touching_result
 
    type, extends(effect_result_t), public :: touching_result_t
       type(touching_account_t) :: account
+      logical :: seeks_speed = .false.             !! whether the share is given
    contains
       procedure, nopass :: place
       procedure :: write_fields
@@ -64,10 +65,11 @@ contains
          call list%add('touching_share', 'share of the load on the solids; in a march its mean over the '// &
             'measured time', &
             touching%share, exists=exists)
-         call list%add('touching_share_error', 'its error by the mesh, absolute', touching%share_error, exists=exists)
+         call list%add('touching_share_error', 'its error by the mesh and, in a march, by changes from '// &
+            'period to period, absolute', touching%share_error, exists=exists)
          call list%add('touching_area', 'area where the solids bear over the Hertz area; in a march its mean', &
             touching%area, exists=exists)
-         call list%add('touching_area_error', 'its error by the mesh, absolute', touching%area_error, exists=exists)
+         call list%add('touching_area_error', 'its error, likewise', touching%area_error, exists=exists)
          call list%add('touching_is_artefact', '1 where the share falls with the mesh size', touching%is_artefact, &
             exists=exists)
          call list%add('touching_meshes', 'meshes that these errors are from', touching%meshes, exists=exists)
@@ -92,16 +94,22 @@ contains
       class(touching_result_t), intent(in) :: self
       integer, intent(in) :: unit
       type(case_plan_t), intent(in) :: plan
-      character(len=:), allocatable :: oil
+      character(len=:), allocatable :: oil, share, speed
 
       associate (touching => self%account)
          if (touching%meshes == 0) return
          oil = 'not given'
          if (ieee_is_finite(touching%friction_oil)) oil = to_text(touching%friction_oil, 4)
-         write (unit, '(a)') 'Touching     share '//to_text(touching%share, 4)//' of the load (error '// &
-            to_text(touching%share_error, 2)//'), area '//to_text(touching%area, 4)//' of the Hertz area (error '// &
-            to_text(touching%area_error, 2)//'), mean speed '//to_text(touching%speed, 5)//' m/s, friction of the '// &
-            'oil '//oil//', of the solids '//to_text(touching%solid_friction, 4)
+         share = 'share '//to_text(touching%share, 4)//' of the load'
+         speed = 'mean speed '//to_text(touching%speed, 5)//' m/s'
+         if (self%seeks_speed) then
+            speed = speed//' (relative error '//to_text(touching%speed_error, 2)//')'
+         else
+            share = share//' (error '//to_text(touching%share_error, 2)//')'
+         end if
+         write (unit, '(a)') 'Touching     '//share//', area '//to_text(touching%area, 4)// &
+            ' of the Hertz area (error '//to_text(touching%area_error, 2)//'), '//speed//', friction of the oil '// &
+            oil//', of the solids '//to_text(touching%solid_friction, 4)
       end associate
    end subroutine print
 
