@@ -244,13 +244,13 @@ def fit(rows: Sequence[Row]) -> Row:
 
 
 def report(folder: Path) -> int:
-    """Write ends.csv, ends_law.csv, and the share of each group within the errors of the laws."""
+    """Write ends.csv.xz, ends_law.csv, and the share of each group within errors of the laws."""
     rows = []
     names = [name for name in GROUPS if (folder / f"{name}_cold.h5").is_file()]
     for name in names:
         pairs = zip(read_sweep(folder, name), read_sweep(folder, f"{name}_cold"), strict=True)
         rows += [judged(name, *pair) for pair in pairs if pair[0]["status"] == "converged"]
-    write_rows(folder / "ends.csv", rows, digits=5)
+    write_rows(folder / "ends.csv.xz", rows, digits=5)
     table = []
     for name in names:
         for quantity in QUANTITIES:

@@ -4,6 +4,7 @@ import argparse
 import csv
 import hashlib
 import io
+import lzma
 import math
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -92,7 +93,7 @@ def flat(groups: Groups) -> Row:
 def write_rows(path: Path, rows: Iterable[Mapping[str, object]], digits: int = 0) -> None:
     """Write rows as CSV, their keys as columns; NaN and missing values become empty cells.
 
-    Numbers have so many `digits`, or all of them.
+    Numbers have so many `digits`, or all of them. A path that ends with .xz is compressed.
     """
     rows = list(rows)
     columns = dict.fromkeys(key for row in rows for key in row)
@@ -100,7 +101,10 @@ def write_rows(path: Path, rows: Iterable[Mapping[str, object]], digits: int = 0
     writer = csv.DictWriter(file, columns, lineterminator="\n")
     writer.writeheader()
     writer.writerows({key: _cell(cell, digits) for key, cell in row.items()} for row in rows)
-    Writer().text(path, file.getvalue())
+    if path.suffix == ".xz":
+        Writer().data(path, lzma.compress(file.getvalue().encode()))
+    else:
+        Writer().text(path, file.getvalue())
 
 
 def run_command(

@@ -1,6 +1,7 @@
 """Laws of film and friction with heat: beside an independent solver, their limits, their record."""
 
 import csv
+import lzma
 import math
 from dataclasses import replace
 from pathlib import Path
@@ -105,7 +106,7 @@ def test_light_lines_have_the_factor_of_their_record() -> None:
 )
 def test_ends_of_the_laws_hold_in_their_record(group: str, every: int) -> None:
     """Contacts of the record: films and friction without programs."""
-    with (ROOT / "postprocess/record/heat/ends.csv").open() as file:
+    with lzma.open(ROOT / "postprocess/record/heat/ends.csv.xz", "rt") as file:
         rows = [row for row in csv.DictReader(file) if row["group"] == group][::every]
     held = []
     for row in rows:

@@ -95,8 +95,8 @@ def heat_ends(options: argparse.Namespace) -> int:
     drawn again; rolling lines too light to deform; oils with Eyring stresses of 1 to 2 MPa; thick
     films of ellipses; lines with L of 20 to 42. Fits the friction of light lines,
     contacts held out. Other groups judge alone. Half an hour on one core. Groups that have been
-    computed are reported. Writes ends.csv, ends_coverage.csv and ends_law.csv, whose coefficients
-    are those of ehlwave.laws.light_lines.
+    computed are reported. Writes ends.csv.xz, ends_coverage.csv and ends_law.csv, whose
+    coefficients are those of ehlwave.laws.light_lines.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
