@@ -31,6 +31,7 @@ module ehlwave_bare_plan
       logical :: responds = .false.                  !! the linear response is computed
       logical :: is_by_multigrid = .false.           !! steady states by FAS
       integer :: levels = 0                          !! across the film at which temperatures are found; 0: none
+      real(dp) :: bytes_of_effects = 0               !! memory that other effects take per cell
       integer :: field_sets = 0                      !! fields over time that are kept
       integer :: threads = 1                         !! threads that share the case; the least a sweep can have
       logical :: is_periodic = .false.               !! the periodic state is sought first; the march is the
@@ -146,7 +147,7 @@ contains
          bytes = bytes_line
          cells = self%cells_x
       end if
-      bytes = bytes + bytes_level*self%levels
+      bytes = bytes + bytes_level*self%levels + self%bytes_of_effects
       if (self%is_fitted) bytes = bytes + bytes_fitted
       expected_memory_mib = program_mib + (bytes + bytes_set*self%field_sets)*cells/2.0_dp**20 &
                             + (self%threads - 1)*(thread_mib + bytes_thread*(self%cells_x + self%cells_y)/2.0_dp**20)
