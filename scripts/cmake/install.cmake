@@ -91,7 +91,7 @@ configure_file(${packaging}/modulefile.in ${made}/modulefile @ONLY)
 install(FILES ${made}/modulefile DESTINATION ${modules}/ehlwave RENAME ${PROJECT_VERSION} COMPONENT core)
 
 install(DIRECTORY postprocess/src/ehlwave postprocess/src/ehlwave_post DESTINATION ${EHLWAVE_INSTALL_PYTHONDIR} COMPONENT python
-        FILES_MATCHING PATTERN "*.py" PATTERN "*.nc" PATTERN "*.json" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+        FILES_MATCHING PATTERN "*.py" PATTERN "*.nc" PATTERN "*.json" PATTERN "*.csv" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 # Metadata: `ehlwave --version` and packaging tools find the version there.
 file(WRITE ${made}/METADATA "Metadata-Version: 2.1\nName: ehlwave\nVersion: ${PROJECT_VERSION}\n")
 file(WRITE ${made}/INSTALLER "cmake\n")

@@ -25,7 +25,7 @@ module ehlwave_error_factors
       2.69_dp, 0.668_dp, 1.30_dp, 2.34_dp, 3.92_dp, 3.92_dp], [6, 4])
 
    !> By the edges of a flooded domain: (quantity), times the error of `ehlwave_domain_choice`;
-   !> friction and rolling: times the part by the oil outside.
+   !> rolling: times the part by the oil outside, which counts whole for friction.
    real(dp), parameter, public :: by_domain(5) = [ &
       3.00_dp, 2.61_dp, 0.448_dp, 0.0513_dp, 2.30_dp]
 

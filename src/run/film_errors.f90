@@ -61,14 +61,14 @@ contains
    end subroutine estimate_film_errors
 
    !> Add errors by the edges of a flooded domain, which grow with the steepness of the inlet, and by a domain too short
-   !> for an effect. Friction and rolling resistance have the error of the film and a share of the part by the oil
-   !> outside, theory eq. (T11), which a starved contact may lack. Truncated edges are requested and add no error.
+   !> for an effect. Friction has the error of the film and the whole part by the oil outside, theory eq. (T11): much of
+   !> it is beyond twice the domain, where the sample ends. Rolling resistance has a share of its part, the whole of
+   !> which a starved contact may lack. Truncated edges are requested and add no error.
    subroutine add_domain(plan, level, result)
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level             !! the finest
       type(case_result_t), intent(inout) :: result
       real(dp) :: edges                    ! error of the film that the model expects
-      logical :: is_starved
 
       edges = 0
       if (level%problem%grid%is_flooded) edges = plan%film_domain_error/by_domain(central_film) &
@@ -76,13 +76,11 @@ contains
       result%film_domain_error = by_domain(central_film)*edges
       result%minimum_film_domain_error = by_domain(smallest_film)*edges
       result%minimum_film_error = result%minimum_film_error + result%minimum_film_domain_error
-      is_starved = plan%effects%are_first_order()
-      call result%rolling%add_errors(result%film_domain_error, result%effects%film_error(), is_starved, &
-                                     result%effects%lacks_oil_outside(level%problem%grid))
+      call result%rolling%add_errors(result%film_domain_error, result%effects%film_error(), &
+         plan%effects%are_first_order(), result%effects%lacks_oil_outside(level%problem%grid))
       if (.not. ieee_is_finite(result%friction_error)) return
-      result%friction_domain_error = result%film_domain_error &
-         + merge(1.0_dp, by_domain(friction), is_starved)*abs(friction_outside(level%problem, level%state, &
-                                     times_outside(level%problem))/result%shear%friction_coefficient)
+      result%friction_domain_error = result%film_domain_error + abs(friction_outside(level%problem, level%state, &
+         times_outside(level%problem))/result%shear%friction_coefficient)
       result%friction_error = result%friction_error + result%friction_domain_error
    end subroutine add_domain
 

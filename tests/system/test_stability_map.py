@@ -56,10 +56,10 @@ class StabilityMap(TestCase):
 
     def test_rung_is_told(self):
         """A solution that takes more steps than it may is found by continuation, the same to the tolerance."""
-        groups = touching("longitudinal")
+        groups = {**touching("longitudinal"), "solver": {"tolerance": 1e-8}}
         _, direct = self.case(groups)
         self.assertEqual((direct["status"], direct["rung"]), ("converged", "direct"), direct)
-        outcome, result = self.case({**groups, "solver": {"largest_steps": 10}})
+        outcome, result = self.case({**groups, "solver": {**groups["solver"], "largest_steps": 10}})
         self.assertEqual((outcome.returncode, result["status"]), (0, "converged"), result)
         self.assertEqual(result["rung"], "continuation")
         self.check_close(result["amplitude_ratio"], direct["amplitude_ratio"], 1e-6, "Ad/Ai")

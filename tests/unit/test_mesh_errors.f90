@@ -45,7 +45,8 @@ contains
       error = mesh_error(central_film, 1, [no_value, 2.1_dp], 0.01_dp)
       call test%check(error%basis /= 'coarse_grid', 'no value on the finest grid')
       call test%check(all(kind_of([.false., .false., .true., .true.], [.false., .true., .false., .true.]) == [1, 2, 3, 4]), 'kinds')
-      call test%check(all(by_model >= by_grids) .and. all(by_grids > 0), 'a model is no better than grids')
+      ! 0.3 of the expected error is the least that grids show; factors have three digits
+      call test%check(all(by_model > 0.299_dp*by_grids) .and. all(by_grids > 0), 'a model is no better than grids that agree')
    end subroutine check_rule
 
    subroutine check_order()

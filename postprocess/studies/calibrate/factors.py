@@ -23,8 +23,9 @@ BASES = ("coarse_grid", "model")
 DOMAIN = "domain"
 """Kind and basis of errors by the edges of the domain."""
 STARVED, BY_RESPONSE = "starved", "response"
-"""Bases without a factor: errors by oil outside that starved contacts may lack, where the part
-counts whole, and errors of Ad/Ai that are those of the response."""
+"""Bases without a factor: friction by oil outside, most of which is farther out than the truth
+reaches, and errors by oil that starved contacts may lack: the part counts whole; and errors of
+Ad/Ai that are those of the response."""
 QUANTITIES = (
     *("central_film", "smallest_film", "friction", "rolling", "response", "amplitude_ratio"),
 )
@@ -210,7 +211,8 @@ MEANINGS = {
     "by_grids": "With a coarser grid: (quantity, kind), kinds of `kind_of`.",
     "by_model": "By the model alone, likewise.",
     "by_domain": "By the edges of a flooded domain: (quantity), times the error of "
-    "`ehlwave_domain_choice`;\n   !> friction and rolling: times the part by the oil outside.",
+    "`ehlwave_domain_choice`;\n   !> rolling: times the part by the oil outside, which "
+    "counts whole for friction.",
 }
 
 HEAD = """\

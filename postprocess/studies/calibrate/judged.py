@@ -139,7 +139,7 @@ def _edges(
     part = _value(found, NUMBERS[quantity][2])
     if quantity not in BY_OIL_OUTSIDE:
         return DOMAIN, part / table.get(key(quantity, DOMAIN, DOMAIN), math.nan), 0.0
-    if is_starved:
+    if is_starved or quantity == "friction":
         return STARVED, part, 0.0
     film = _value(found, "film_error_domain")
     return DOMAIN, (part - film) / table[key(quantity, DOMAIN, DOMAIN)], film / table[FILM]
