@@ -31,7 +31,7 @@ module ehlwave_bare_plan
       logical :: responds = .false.                  !! the linear response is computed
       logical :: is_by_multigrid = .false.           !! steady states by FAS
       integer :: levels = 0                          !! across the film at which temperatures are found; 0: none
-      real(dp) :: bytes_of_effects = 0               !! memory that other effects take per cell
+      real(dp) :: bytes_of_effects = 0               !! memory that effects take per cell
       integer :: field_sets = 0                      !! fields over time that are kept
       integer :: threads = 1                         !! threads that share the case; the least a sweep can have
       logical :: is_periodic = .false.               !! the periodic state is sought first; the march is the
@@ -126,8 +126,7 @@ contains
          bytes_in_parts = 895, &     ! bytes of responses whose linear systems are not kept side by side
          bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
          bytes_set = 48, &                                              ! three fields, and their file
-         bytes_fitted = 215, &                                          ! fluxes through faces
-         bytes_level = 145                                              ! with heat, measured: within a tenth
+         bytes_fitted = 215                                             ! fluxes through faces
       real(dp), parameter :: thread_mib = 1, bytes_thread = 600   ! rows, columns and lines of its own
       real(dp), parameter :: usual_cells = 256*128, smooth_growth = 0.18_dp, response_growth = 0.06_dp
       real(dp) :: bytes, cells, halvings   ! bytes of the mesh of `usual_cells`
@@ -147,7 +146,7 @@ contains
          bytes = bytes_line
          cells = self%cells_x
       end if
-      bytes = bytes + bytes_level*self%levels + self%bytes_of_effects
+      bytes = bytes + self%bytes_of_effects
       if (self%is_fitted) bytes = bytes + bytes_fitted
       expected_memory_mib = program_mib + (bytes + bytes_set*self%field_sets)*cells/2.0_dp**20 &
                             + (self%threads - 1)*(thread_mib + bytes_thread*(self%cells_x + self%cells_y)/2.0_dp**20)

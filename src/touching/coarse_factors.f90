@@ -1,7 +1,7 @@
 !> Corrections on coarser grids to a solution with incomplete factors, in a part of the nodes.
 !>
 !> Where the oil flows easily its equation is close to Poisson's. Incomplete factors leave long waves there, the more
-!> the finer the mesh. Rows of the coarser grids are those of the near matrix between interpolated values (Galerkin), so
+!> the finer the mesh. Rows of the coarser grids are rows of the near matrix between interpolated values (Galerkin), so
 !> that these grids need no equations of their own.
 module ehlwave_coarse_factors
    use ehlwave_coarse_level, only: level_t, make_coarser, new_coarser, new_level, prolong, restrict, subtract_product, &
@@ -132,7 +132,7 @@ contains
    !> Transposed `correct`, which comes before the transposed factors.
    subroutine correct_transposed(self, x, right)
       class(coarse_factors_t), intent(inout) :: self
-      real(dp), intent(inout), contiguous :: x(:, :)       !! weights of the solution; then those of the factors'
+      real(dp), intent(inout), contiguous :: x(:, :)       !! weights of the solution; then of the factors' one
       real(dp), intent(out), contiguous :: right(:, :)     !! weights of the right side by the corrections alone
       integer :: n
 

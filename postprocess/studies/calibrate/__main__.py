@@ -1,7 +1,6 @@
 """Calibration of declared errors: draw and compute contacts, judge them, write the factors."""
 
 import argparse
-import lzma
 import sys
 from pathlib import Path
 
@@ -64,11 +63,8 @@ def conclude(rows: list[Row], table: dict[str, float], folder: Path) -> int:
 
 def _record(rows: list[Row], name: str, folder: Path) -> None:
     """Write a table to the folder of the run, and to the record in place of the former."""
-    path = folder / name.removesuffix(".xz")
-    write_rows(path, rows, digits=4)
-    data = path.read_bytes()
-    kept = lzma.compress(data) if name.endswith(".xz") else data
-    Writer(overwrite=True).data(RECORD / name, kept)
+    write_rows(folder / name, rows, digits=4)
+    Writer(overwrite=True).data(RECORD / name, (folder / name).read_bytes())
 
 
 if __name__ == "__main__":
