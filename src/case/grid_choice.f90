@@ -23,7 +23,8 @@ module ehlwave_grid_choice
    type, public :: pattern_t
       logical :: has_ratio = .false.     !! the accuracy applies to Ad/Ai
       logical :: moves = .false.
-      real(dp) :: waves = 0              !! largest wave number over 2 pi along X, times the slip above 1
+      real(dp) :: waves = 0              !! largest wave number over 2 pi along X, times the slip above 1 and the
+                                         !! root of the share that errors of waves have in the result's error
       real(dp) :: slip = 1               !! largest speed over the mean one
    end type pattern_t
 
@@ -53,13 +54,14 @@ contains
       integer, intent(in) :: cells_per_step    !! dT/hX of a march, 1 for shorter steps and without a march
       integer, intent(out) :: cells_x, cells_y
       character(len=:), allocatable, intent(out) :: reason   !! why so many, for people
-      real(dp) :: points
+      real(dp) :: points, share       ! share: of errors of waves
       character(len=:), allocatable :: why_x, why_y
       integer :: largest
 
       largest = case%largest_cells
       if (largest == 0) largest = usual_largest_cells
       points = merge(fewest_points_per_wave, wanted_points_per_wave, case%accuracy > 0)
+      share = surfaces%share_in_film(expected_film(conditions))
       call choose_x()
       cells_y = 1
       reason = why_x
@@ -71,7 +73,7 @@ contains
 
       subroutine choose_x()
          character(len=:), allocatable :: why
-         real(dp) :: each, inlet, length, mesh, wanted, waves   ! waves: wave numbers over 2 pi, the largest
+         real(dp) :: each, inlet, length, mesh, wanted, waves   ! waves: see `pattern_t`
          integer :: n
 
          cells_x = case%cells_x
@@ -89,7 +91,7 @@ contains
          do n = 1, size(surfaces%list)
             associate (wave => surfaces%list(n))
                if (.not. wave%wavelength_x > 0) cycle
-               waves = max(waves, max(1.0_dp, wave%slip)/wave%wavelength_x)
+               waves = max(waves, sqrt(share)*max(1.0_dp, wave%slip)/wave%wavelength_x)
                each = points
                if (wave%moves()) each = max(each, fewest_points_per_wave*cells_per_step)
                if (each*length*max(1.0_dp, wave%slip)/wave%wavelength_x <= wanted) cycle
@@ -128,7 +130,7 @@ contains
             if (length/mesh > wanted) why_y = 'for hY over the inlet length <= '//to_text(inlet, 2)
             wanted = max(wanted, length/mesh)
          end if
-         if (case%accuracy > 0) points = max(points, points_for(share_of_waves*case%accuracy))
+         if (case%accuracy > 0) points = max(points, points_for(share_of_waves*case%accuracy/share))
          do n = 1, size(surfaces%list)
             associate (wave => surfaces%list(n))
                if (.not. wave%wavelength_y > 0) cycle

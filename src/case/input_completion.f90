@@ -5,6 +5,7 @@ module ehlwave_input_completion
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: key_length
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_effect_keys, only: by_fitted_scheme
    use ehlwave_errors, only: error_t, raise
    use ehlwave_formula, only: anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
@@ -22,6 +23,8 @@ module ehlwave_input_completion
    !> Keys that mark dimensional data; reduced_modulus_pa may be given with M, L and D, too.
    character(len=key_length), parameter :: data_keys(6) = [character(len=key_length) :: 'radius_x_m', 'radius_y_m', &
       'load_n', 'load_n_per_m', 'mean_speed_m_per_s', 'viscosity_pa_s']
+
+   real(dp), parameter :: accuracy_of_heights = 0.005_dp   !! of films under measured heights, if none is given
 
 contains
 
@@ -44,9 +47,26 @@ contains
          return
       end if
       input%case%has_free_tolerance = .not. input%is_given(find_key(list%keys, 'tolerance'))
+      if (leaves_heights_to_plan(input, list)) input%case%accuracy = accuracy_of_heights
       if (input%case%accuracy > 0) call choose_for_accuracy(input, list)
       call complete_case(input%case, place, error)
    end subroutine complete_input
+
+   !> Whether measured heights march through a flooded elliptical contact that the fitted scheme supports, and the input
+   !> leaves grid, time step, scheme and tolerances to the plan.
+   logical function leaves_heights_to_plan(input, list) result(leaves)
+      type(case_input_t), intent(in) :: input
+      type(key_list_t), intent(in) :: list
+      character(len=key_length), parameter :: choices(8) = [character(len=key_length) :: 'accuracy', 'cells_x', &
+         'cells_y', 'time_step_over_cell', 'scheme', 'method', 'tolerance', 'step_tolerance']
+      integer :: n
+      associate (case => input%case, waves => input%case%surfaces())
+         leaves = case%has_heights() .and. .not. any(waves%is_wavy()) .and. case%edges == 'flooded' .and. &
+                  case%radius_ratio_d > 0 .and. .not. case%effects%touching%is_given() .and. &
+                  .not. case%effects%refuse(by_fitted_scheme) .and. &
+                  .not. any([(input%is_given(find_key(list%keys, choices(n))), n=1, size(choices))])
+      end associate
+   end function leaves_heights_to_plan
 
    !> S = 1 + ratio/2 from whichever is given, theory section 1; to twelve decimals, so that 0.98 and a ratio of -0.04
    !> are the same case.

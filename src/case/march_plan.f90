@@ -3,6 +3,7 @@ module ehlwave_march_plan
    use ehlwave_accuracy_model, only: expected_long_step_error
    use ehlwave_case_definition, only: case_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_formula, only: expected_film
    use ehlwave_grid_choice, only: formula_ratio
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t, run_march
@@ -89,7 +90,8 @@ contains
       ratio = 1
       if (case%has_ratio()) ratio = formula_ratio(case, plan%conditions, plan%surfaces%moves())
       if (expected_long_step_error(plan%conditions, ratio, plan%hx*sqrt(plan%thinning%steepness), longest_step, steps, &
-                                   plan%is_fitted) <= share_of_steps*case%accuracy) chosen_step = longest_step
+                                   plan%is_fitted)*plan%surfaces%share_in_film(expected_film(plan%conditions)) &
+          <= share_of_steps*case%accuracy) chosen_step = longest_step
    end function chosen_step
 
 end module ehlwave_march_plan

@@ -12,6 +12,7 @@ module ehlwave_surfaces
    contains
       procedure :: is_rough
       procedure :: is_measured
+      procedure :: share_in_film
       procedure :: is_symmetric
       procedure :: moves
       procedure :: frequency
@@ -49,6 +50,17 @@ contains
       integer :: n
       is_measured = any([(allocated(self%list(n)%surface), n=1, size(self%list))])
    end function is_measured
+
+   !> Relative error of results over the relative error of deformed waves: 1 of results about waves; of measured
+   !> heights, whose results are films, their amplitude over the film.
+   pure real(dp) function share_in_film(self, film) result(share)
+      class(surfaces_t), intent(in) :: self
+      real(dp), intent(in) :: film                         !! smooth H(0,0)
+      integer :: n
+      share = 1
+      if (.not. self%is_measured()) return
+      share = min(1.0_dp, sum([(self%list(n)%equivalent_amplitude(film), n=1, size(self%list))]))
+   end function share_in_film
 
    !> Whether the gap is even in Y.
    pure logical function is_symmetric(self)

@@ -222,8 +222,10 @@ contains
          choices='coarse_grid model', counts=case%has_ratio() .and. case%response /= 'harmonic', is_effort=.true., &
          when="waves without response = 'harmonic'"))
       call list%see(case%accuracy, key_t('accuracy', 'requested relative error of Ad/Ai, in smooth contacts of '// &
-         'H(0,0); e.g. 0.01: chooses cells, time step, tolerances and amplitudes that are not given', &
-         above=0.0_dp, maximum=0.2_dp))
+         'H(0,0); e.g. 0.01: chooses cells, time step, tolerances and amplitudes that are not given. Measured '// &
+         'surfaces have none where cells, time step, scheme, method or tolerances are given, or the fitted scheme '// &
+         'does not serve', &
+         above=0.0_dp, maximum=0.2_dp, default='none; of measured surfaces 0.005'))
       call list%see(case%threads, key_t('threads', 'threads that share one case; no result depends on them; 0: '// &
          'OMP_NUM_THREADS, else the cores that are its own', minimum=0.0_dp, maximum=real(most_threads, dp), &
          default='the cores', is_written=.false., can_vary=.false.))

@@ -15,7 +15,7 @@ module ehlwave_refined_case
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_plan_effort, only: most_finer_work, most_work
    use ehlwave_plan_refinement, only: refine_plan
-   use ehlwave_planned_case, only: case_plan_t
+   use ehlwave_planned_case, only: case_plan_t, run_march, run_smooth
    use ehlwave_quantities, only: add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_shared_steady, only: shared_steady_t
@@ -64,10 +64,16 @@ contains
       real(dp) :: largest_work, taken
       logical :: is_finer
 
+      largest_work = plan%largest_work_in_all
+      taken = 0
+      if (case%accuracy > 0 .and. case%edges == 'flooded' .and. plan%kind == run_march .and. &
+          case%has_heights() .and. .not. case%effects%touching%is_given()) &
+         call refine_by_smooth_film(case, plan, monitor, shared, taken)
       call run_estimated_case(case, plan, monitor, result, shared, keeper)
+      result%all_work = result%all_work + taken
+      result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
       call take_errors(case, plan, result)
       if (.not. case%accuracy > 0 .or. case%edges == 'truncated' .or. result%status /= status_converged) return
-      largest_work = plan%largest_work_in_all
       taken = result%all_work
       do while (result%error_estimate > case%accuracy .and. result%refinements < most_refinements)
          if (monitor%request /= go_on) exit
@@ -112,6 +118,39 @@ contains
                        errors_text(parts_of(case, result))//') above the accuracy of '//to_text(case%accuracy, 2)// &
                        advice(case, plan, result)
    end subroutine run_and_refine
+
+   !> A plan as fine as the smooth film needs for the accuracy, before the march of measured heights, whose films have
+   !> the same error by the mesh.
+   subroutine refine_by_smooth_film(case, plan, monitor, shared, work)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(inout) :: plan
+      class(monitor_t), intent(inout) :: monitor
+      type(shared_steady_t), intent(inout), target, optional :: shared
+      real(dp), intent(out) :: work                !! operations
+      type(case_plan_t) :: finer, smooth
+      type(case_result_t) :: result
+      type(case_t) :: film
+      integer :: n
+      logical :: is_finer
+
+      work = 0
+      film = case
+      film%sensitivities = .false.
+      do n = 1, most_refinements
+         smooth = plan
+         smooth%kind = run_smooth
+         call run_estimated_case(film, smooth, monitor, result, shared)
+         work = work + result%all_work
+         if (result%status /= status_converged .or. monitor%request /= go_on) return
+         call take_errors(case, smooth, result)
+         if (result%error_estimate <= case%accuracy) return
+         call refine_plan(case, plan, result%film_errors, 0.0_dp, plan%largest_work_in_all - work, finer, is_finer)
+         if (.not. is_finer) return
+         if (memory_shortage(finer) /= '') return
+         finer%largest_work_in_all = plan%largest_work_in_all
+         plan = finer
+      end do
+   end subroutine refine_by_smooth_film
 
    !> Whether coarser grids gave the error of the main quantity, unless the model was requested.
    pure logical function is_measured(case, result)

@@ -26,6 +26,18 @@ def ridge():
     return [20e-9*hump((i - POINTS//2)*STEP/90e-6) for i in range(POINTS)]
 
 
+def rough_map():
+    """A map of 33 x 33 points with waves of 110 to 180 um, faded at its ends."""
+    waves = [(1, 1, 0.3), (1, 2, 1.7), (2, 1, 4.0)]
+    n = 33
+
+    def height(i, j):
+        fade = math.prod(math.sin(math.pi*k/(n - 1))**2 for k in (i, j))
+        return 35e-9*fade*sum(math.cos(2*math.pi*(kx*i + ky*j)/n + phase) for kx, ky, phase in waves)
+
+    return [[height(i, j) for i in range(n)] for j in range(n)]
+
+
 class Surfaces(FolderTest):
     def write(self, heights, **replaced):
         """Surface file of rows of constant y."""
@@ -102,6 +114,41 @@ class Surfaces(FolderTest):
         self.assertIn("(whole)", outcome.stdout)
         self.assertEqual(trace["time_steps"], whole["time_steps"])
         self.assertAlmostEqual(trace["mean_film"]/whole["mean_film"], 1, delta=1e-5)
+
+    def test_map_with_an_accuracy(self):
+        """The plan follows a map on few cells; films are within the accuracy of twice the cells and half the step."""
+        self.write(rough_map())
+        found = last_line(self.run_case("--json", "--quiet", "--output", "found.h5", grid=None, solver={"accuracy": 0.02}))
+        self.assertEqual(found["status"], "converged")
+        self.assertLessEqual(found["cells_x"], 64)
+        self.assertLess(found["total_work_units"], 4000)
+        fine = {"cells_x": 2*found["cells_x"], "cells_y": 2*found["cells_y"]}
+        self.check_status(self.run_case("--quiet", "--output", "fine.h5", grid=fine, solver={"scheme": "fitted"}))
+        films = [read(self.folder/name)[1]["film_at_centre"] for name in ("found.h5", "fine.h5")]
+        skip = round((len(films[1]) - 1)/(len(films[0]) - 1))
+        pairs = list(zip(films[0], films[1][::skip], strict=False))
+        rms = math.sqrt(sum((a/b - 1)**2 for a, b in pairs)/len(pairs))
+        self.assertTrue(1e-4 < rms < 0.01, rms)
+        self.assertGreater(max(films[1])/min(films[1]), 1.1)
+
+    def test_grid_is_refined_before_the_march(self):
+        """The smooth film decides how fine the grid must be, so no march is repeated."""
+        self.write(rough_map())
+        inputs = {"grid": None, "solver": {"accuracy": 0.01}, "dynamics": {"end_time": 0.3}}
+        plan = last_line(self.run_case("--plan", "--json", **inputs))
+        found = last_line(self.run_case("--json", "--quiet", **inputs))
+        self.assertEqual((found["status"], found["refinements"]), ("converged", 0))
+        self.assertGreater(found["cells_x"], plan["cells_x"])
+        self.assertLessEqual(found["error_estimate"], 0.01)
+        self.assertGreater(found["total_work_units"], found["counted_work_units"])
+
+    def test_default_accuracy(self):
+        """Maps have an accuracy by default; given cells are kept without it."""
+        self.write(rough_map())
+        free = self.run_case("--plan", grid=None)
+        self.assertIn("fitted scheme", free.stdout)
+        self.assertRegex(free.stdout, r"X: for an accuracy of 0\.0033")
+        self.assertNotIn("fitted scheme", self.run_case("--plan").stdout)
 
     def test_end_time_and_slip(self):
         self.write([ridge()])
