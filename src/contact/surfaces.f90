@@ -27,7 +27,7 @@ module ehlwave_surfaces
       procedure :: are_one
       procedure :: smallest_amplitude
       procedure :: passing_time
-      procedure :: rough_at
+      procedure :: rough_behind_fronts
       procedure :: rough_of_waves
       procedure :: rough_fixed
    end type surfaces_t
@@ -199,7 +199,7 @@ contains
    end function passing_time
 
    !> Roughness in the gap at time T, behind the fronts of the surfaces, in units of c.
-   pure function rough_at(self, x, y, t, film) result(rough)
+   pure function rough_behind_fronts(self, x, y, t, film) result(rough)
       class(surfaces_t), intent(in) :: self
       real(dp), intent(in) :: x(:), y(:)           !! node coordinates X, Y
       real(dp), intent(in) :: t                    !! T
@@ -210,7 +210,7 @@ contains
       do n = 1, size(self%list)
          rough = rough + self%list(n)%amplitude(film)*self%list(n)%shape_at(x, y, t)
       end do
-   end function rough_at
+   end function rough_behind_fronts
 
    !> Height of waves everywhere in the domain, with crests at X = 0 at T = 0.
    pure function rough_of_waves(self, x, y, t, film) result(rough)

@@ -97,7 +97,7 @@ contains
       real(dp) :: film
       integer :: k
       do k = 1, size(self%i)
-         film = h(self%i(k), self%j(k)) - rough_at(self, given, k)
+         film = h(self%i(k), self%j(k)) - edge_rough_at(self, given, k)
          excess(k) = p(self%i(k), self%j(k)) - far_pressure(self, self%strength(k), film)
          slope(k) = 2*self%strength(k)/film**3/(1 - share_thickened(self, self%strength(k), film))
       end do
@@ -165,7 +165,7 @@ contains
       integer :: k
       do k = 1, size(self%i)
          p(self%i(k), self%j(k)) = far_pressure(self, self%strength(k), &
-                                                h(self%i(k), self%j(k)) - rough_at(self, given, k))
+                                                h(self%i(k), self%j(k)) - edge_rough_at(self, given, k))
       end do
    end subroutine impose
 
@@ -180,7 +180,7 @@ contains
 
       allocate (field(0:maxval(fine%i), 0:maxval(fine%j)), rough(size(self%i)), source=0.0_dp)
       do k = 1, size(fine%i)
-         field(fine%i(k), fine%j(k)) = rough_at(fine, given, k)
+         field(fine%i(k), fine%j(k)) = edge_rough_at(fine, given, k)
       end do
       do k = 1, size(self%i)
          rough(k) = field(2*self%i(k), row_ratio*self%j(k))
@@ -188,7 +188,7 @@ contains
    end function rough_from
 
    !> Roughness at a node.
-   pure real(dp) function rough_at(self, given, k) result(rough)
+   pure real(dp) function edge_rough_at(self, given, k) result(rough)
       class(edge_values_t), intent(in) :: self
       type(given_t), intent(in) :: given
       integer, intent(in) :: k
@@ -198,7 +198,7 @@ contains
       else if (allocated(given%rough)) then
          rough = given%rough(self%i(k), self%j(k))
       end if
-   end function rough_at
+   end function edge_rough_at
 
    !> Pressure of the far field for a film.
    elemental real(dp) function far_pressure(self, strength, h)

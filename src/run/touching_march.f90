@@ -53,7 +53,7 @@ contains
       do k = march%steps + 1, plan%steps
          associate (grid => solver%problem%grid)
             call take_step(solver, march%steady, moves_on(plan), &
-                           plan%surfaces%rough_at(grid%x, grid%y, k*plan%dt, film), state, report)
+                           plan%surfaces%rough_behind_fronts(grid%x, grid%y, k*plan%dt, film), state, report)
          end associate
          call count_steps(report, result)
          if (report%status /= status_converged) then

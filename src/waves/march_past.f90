@@ -110,7 +110,7 @@ contains
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: t
       type(given_t), intent(inout) :: given
-      call given%set_rough(rough_at(self, grid, t))
+      call given%set_rough(roughness_of_march(self, grid, t))
       if (allocated(self%supply)) given%supply(:) = self%supply*self%settings%oil_share(t)
       call self%history%carry(grid, given)
    end subroutine pose
@@ -166,7 +166,7 @@ contains
    end subroutine note
 
    !> Roughness at time t: everywhere when the march started in waves, else behind the front.
-   pure function rough_at(self, grid, t) result(rough)
+   pure function roughness_of_march(self, grid, t) result(rough)
       class(march_past_t), intent(in) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: t
@@ -174,8 +174,8 @@ contains
       if (allocated(self%waves)) then
          rough = self%settings%surfaces%rough_of_waves(grid%x, grid%y, t, self%settings%film)
       else
-         rough = self%settings%surfaces%rough_at(grid%x, grid%y, t, self%settings%film)
+         rough = self%settings%surfaces%rough_behind_fronts(grid%x, grid%y, t, self%settings%film)
       end if
-   end function rough_at
+   end function roughness_of_march
 
 end module ehlwave_march_past

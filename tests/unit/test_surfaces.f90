@@ -36,7 +36,7 @@ contains
       second = new_waviness(0.4_dp, 0.9_dp, .false., -2.0_dp, 0.7_dp, 0.1_dp)
       pair%list = [first, second]
       expected = film*(0.2_dp*first%shape_at(x, y, t) + 0.1_dp*second%shape_at(x, y, t))
-      call close(pair%rough_at(x, y, t, film), expected, 'behind their fronts')
+      call close(pair%rough_behind_fronts(x, y, t, film), expected, 'behind their fronts')
       expected = film*(0.2_dp*first%shape_fixed(x, y, -first%frequency()*t) &
                        + 0.1_dp*second%shape_fixed(x, y, -second%frequency()*t))
       call close(pair%rough_of_waves(x, y, t, film), expected, 'everywhere')

@@ -54,8 +54,8 @@ contains
    subroutine check_values()
       type(table_law_t) :: law
       type(error_t), allocatable :: error
-      real(dp), dimension(301) :: cool, exact, exponent, p, slope, unused, zero
-      integer :: i
+      real(dp), dimension(301) :: at_point, cool, exact, exponent, p, slope, unused, zero
+      integer :: i, k
 
       p = 5e6_dp*[(i, i=0, 300)]
       zero = 0
@@ -72,6 +72,12 @@ contains
       call law%evaluate(301, p, cool, exponent, slope, unused)
       call roelands%evaluate(301, p, cool, exact, slope, unused)
       call test%check_close(exponent, exact, '15 K above', absolute=5e-2_dp)
+      do k = -1, 1, 2   ! beyond both ends
+         cool = merge(warm(1) - 3, warm(size(warm)) + 3, k < 0) - warm(2)
+         call law%evaluate(301, p, cool, exponent, slope, unused)
+         call roelands%evaluate(301, p, cool, at_point, slope, unused)
+         call test%check_close(exponent, at_point, 'beyond the temperatures of the table', absolute=8e-2_dp)
+      end do
       call new_table_law(roelands_table(30, warm), warm(2) + 15, law, error)
       call law%evaluate(301, p, zero, exponent, slope, unused)
       call test%check_close(exponent, exact - exact(1), 'another T0', absolute=5e-2_dp)
