@@ -49,26 +49,30 @@ contains
       integer, intent(in) :: shift(2)            !! from the first to the second node of a face
       integer, intent(in) :: n                   !! faces
       type(face_flow_t), intent(inout) :: faces
-      real(dp) :: by_1, by_2, conductance, difference, mean, rho, sum_h
-      integer :: i, i2, j, j2, k
+      real(dp), dimension(n) :: by_1, by_2, by_h, by_rho, conductance, flux, mean
+      integer :: i, i2, j, j2, k, last, last_2
 
+      ! loops over local arrays are vectorised
+      i = node(1)
+      last = i + n - 1
       j = node(2)
+      i2 = i + shift(1)
+      last_2 = last + shift(1)
       j2 = j + shift(2)
-      do k = 0, n - 1
-         i = node(1) + k
-         i2 = i + shift(1)
-         call logarithmic_mean(oil%fluidity(i, j), oil%fluidity(i2, j2), mean, by_1, by_2)
-         sum_h = oil%h(i, j) + oil%h(i2, j2)
-         rho = oil%rho(i, j) + oil%rho(i2, j2)
-         conductance = rho*mean*2*(oil%h(i, j)*oil%h(i2, j2))**2/(sum_h*lambdabar)
-         difference = oil%p(i2, j2) - oil%p(i, j)
-         faces%own(i, j) = conductance
-         faces%flux(i, j) = conductance*difference
-         faces%by_p1(i, j) = conductance*difference*(oil%drho(i, j)/rho - by_1*oil%dln_eta(i, j))
-         faces%by_p2(i, j) = conductance*difference*(oil%drho(i2, j2)/rho - by_2*oil%dln_eta(i2, j2))
-         faces%by_h1(i, j) = conductance*difference*(2/oil%h(i, j) - 1/sum_h)
-         faces%by_h2(i, j) = conductance*difference*(2/oil%h(i2, j2) - 1/sum_h)
+      call logarithmic_mean(n, oil%fluidity(i:last, j), oil%fluidity(i2:last_2, j2), mean, by_1, by_2)
+      do k = 1, n
+         by_rho(k) = 1/(oil%rho(i + k - 1, j) + oil%rho(i2 + k - 1, j2))
+         by_h(k) = 1/(oil%h(i + k - 1, j) + oil%h(i2 + k - 1, j2))
+         conductance(k) = mean(k)*(oil%rho(i + k - 1, j) + oil%rho(i2 + k - 1, j2))*(2/lambdabar)*by_h(k) &
+                          *(oil%h(i + k - 1, j)*oil%h(i2 + k - 1, j2))**2
+         flux(k) = conductance(k)*(oil%p(i2 + k - 1, j2) - oil%p(i + k - 1, j))
       end do
+      faces%own(i:last, j) = conductance
+      faces%flux(i:last, j) = flux
+      faces%by_p1(i:last, j) = flux*(oil%drho(i:last, j)*by_rho - by_1*oil%dln_eta(i:last, j))
+      faces%by_p2(i:last, j) = flux*(oil%drho(i2:last_2, j2)*by_rho - by_2*oil%dln_eta(i2:last_2, j2))
+      faces%by_h1(i:last, j) = flux*(2/oil%h(i:last, j) - by_h)
+      faces%by_h2(i:last, j) = flux*(2/oil%h(i2:last_2, j2) - by_h)
    end subroutine fit_row
 
 end module ehlwave_fitted_flux

@@ -19,21 +19,28 @@ module ehlwave_fitted_mean
 
 contains
 
-   !> Mean of exp(t) between ln(a) and ln(b), (b - a)/ln(b/a), and the derivatives of its logarithm by ln(a) and ln(b).
-   pure subroutine logarithmic_mean(a, b, mean, by_a, by_b)
-      real(dp), intent(in) :: a, b                !! > 0
-      real(dp), intent(out) :: mean, by_a, by_b
-      real(dp) :: t
+   !> Means of exp(t) between ln(a) and ln(b), (b - a)/ln(b/a), and the derivatives of their logarithms by ln(a) and
+   !> ln(b).
+   pure subroutine logarithmic_mean(n, a, b, mean, by_a, by_b)
+      integer, intent(in) :: n
+      real(dp), intent(in) :: a(n), b(n)          !! > 0
+      real(dp), intent(out) :: mean(n), by_a(n), by_b(n)
+      real(dp) :: by_series, difference, ratio(n), series, t, unlike
+      integer :: k
 
-      t = log(b/a)
-      if (abs(t) < alike) then
-         mean = sqrt(a*b)*(1 + t**2/24 + t**4/1920)
-         by_b = 0.5_dp + t/12 - t**3/720
-      else
-         mean = (b - a)/t
-         by_b = (b - mean)/(b - a)
-      end if
-      by_a = 1 - by_b
+      do k = 1, n
+         ratio(k) = log(b(k)/a(k))
+      end do
+      do k = 1, n                                 ! both ways, so that the loop is vectorised
+         t = ratio(k)
+         series = sqrt(a(k)*b(k))*(1 + t**2*(1/24.0_dp + t**2*(1/1920.0_dp)))
+         by_series = 0.5_dp + t*(1/12.0_dp - t**2*(1/720.0_dp))
+         unlike = merge(1.0_dp, t, abs(t) < alike)
+         difference = merge(1.0_dp, b(k) - a(k), abs(t) < alike)
+         mean(k) = merge(series, difference/unlike, abs(t) < alike)
+         by_b(k) = merge(by_series, (b(k) - mean(k))/difference, abs(t) < alike)
+         by_a(k) = 1 - by_b(k)
+      end do
    end subroutine logarithmic_mean
 
    !> A single flow through each face of a row at the gradient of the face: for each node the flow, and the
@@ -98,19 +105,15 @@ contains
    pure function mean_shares(q) result(share)
       real(dp), intent(in) :: q(0:2)
       real(dp) :: share(0:2)
-      real(dp) :: by(2), halves(0:2), mean, whole
+      real(dp) :: halves(0:2)
+      real(dp), dimension(3) :: by_first, by_last, mean      ! of the whole and of both halves
 
       share = [1.0_dp, 4.0_dp, 1.0_dp]/6
       if (.not. min(q(0)*q(1), q(1)*q(2)) > 0) return
-      call logarithmic_mean(abs(q(0)), abs(q(2)), whole, by(1), by(2))
-      share = -[by(1), 0.0_dp, by(2)]/3
-      halves = 0
-      call logarithmic_mean(abs(q(0)), abs(q(1)), mean, by(1), by(2))
-      halves(:1) = 0.5_dp*mean*by
-      call logarithmic_mean(abs(q(1)), abs(q(2)), mean, by(1), by(2))
-      halves(1:) = halves(1:) + 0.5_dp*mean*by
-      share = share + 4*halves/(3*sum(halves))
-      share = share*sum(halves)*(sum(halves)/whole)**(1/3.0_dp)/abs(q)
+      call logarithmic_mean(3, abs(q([0, 0, 1])), abs(q([2, 1, 2])), mean, by_first, by_last)
+      halves = 0.5_dp*[mean(2)*by_first(2), mean(2)*by_last(2) + mean(3)*by_first(3), mean(3)*by_last(3)]
+      share = 4*halves/(3*sum(halves)) - [by_first(1), 0.0_dp, by_last(1)]/3
+      share = share*sum(halves)*(sum(halves)/mean(1))**(1/3.0_dp)/abs(q)
    end function mean_shares
 
 end module ehlwave_fitted_mean
