@@ -102,16 +102,19 @@ contains
       real(dp), intent(in) :: x(:), y(:), front
       real(dp) :: height(size(x), size(y))
       real(dp), allocatable :: along(:, :)
-      real(dp) :: weight(4)
-      integer :: first, i, j, k, n
+      real(dp) :: weight(4), weights(4, size(x))
+      integer :: first, firsts(size(x)), i, j, k, n
 
       ! first along X, on every line of the surface
-      allocate (along(size(x), size(self%height, 2)), source=0.0_dp)
       do i = 1, size(x)
-         call stencil((x(i) - front + self%length)/self%step_x, first, weight)
-         do k = 1, 4
-            n = first + k
-            if (n >= 1 .and. n <= size(self%height, 1)) along(i, :) = along(i, :) + weight(k)*self%height(n, :)
+         call stencil((x(i) - front + self%length)/self%step_x, firsts(i), weights(:, i))
+      end do
+      allocate (along(size(x), size(self%height, 2)), source=0.0_dp)
+      do j = 1, size(self%height, 2)
+         do i = 1, size(x)
+            do k = max(1, 1 - firsts(i)), min(4, size(self%height, 1) - firsts(i))
+               along(i, j) = along(i, j) + weights(k, i)*self%height(firsts(i) + k, j)
+            end do
          end do
       end do
       if (size(self%height, 2) == 1) then

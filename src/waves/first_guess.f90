@@ -33,9 +33,10 @@ contains
       type(state_t), intent(inout) :: state
       logical, intent(in) :: from_rest               !! whether the waves came in at the inlet
       real(dp), allocatable :: p0(:, :, :)           ! (0:nx, 0:ny, 0:3): P0 at T, T - dT, ...
-      real(dp) :: delta0(0:3), guess
+      real(dp) :: delta0(0:3), guess, twice          ! twice: 2 cos(w dT)
       integer :: i, j, l, n
 
+      twice = 2*cos(wave_step)
       associate (steady => past%steady%p, p1 => past%before%p, p2 => past%earlier%p, p3 => past%earliest%p)
          allocate (p0(0:ubound(steady, 1), 0:ubound(steady, 2), 0:3))
          do n = 0, 3
@@ -51,23 +52,21 @@ contains
             do i = 0, ubound(steady, 1) - 1
                l = merge(i - m, i, i > m)      ! where the oil was a step before
                if (from_rest .and. steady(max(i - 1, 0), j) - steady(i + 1, j) > outlet_fall*steady(i, j)) l = i
-               guess = p0(i, j, 0) + continued(wave_step, &
+               guess = p0(i, j, 0) + continued(twice, &
                   [p1(i, j), p2(i, j), p3(i, j)] - p0(i, j, 1:), [p1(l, j), p2(l, j), p3(l, j)] - p0(l, j, 1:))
                state%p(i, j) = max(0.0_dp, held_at_steep_end(guess, p1, i, j, besides=p0(i, j, 0)))
             end do
          end do
       end associate
       associate (d => [past%before%delta, past%earlier%delta, past%earliest%delta] - delta0(1:))
-         state%delta = delta0(0) + continued(wave_step, d, d)
+         state%delta = delta0(0) + continued(twice, d, d)
       end associate
    end subroutine extrapolate
 
    !> The next value of a disturbance from its last three, the latest first, here and upstream: theory eq. (D16).
-   pure real(dp) function continued(wave_step, here, upstream)
-      real(dp), intent(in) :: wave_step
+   pure real(dp) function continued(twice, here, upstream)
+      real(dp), intent(in) :: twice                  !! 2 cos(w dT)
       real(dp), intent(in) :: here(3), upstream(3)   !! at T - dT, T - 2 dT, T - 3 dT
-      real(dp) :: twice
-      twice = 2*cos(wave_step)
       continued = twice*here(1) - here(2) + upstream(1) - twice*upstream(2) + upstream(3)
    end function continued
 

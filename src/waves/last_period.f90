@@ -78,17 +78,21 @@ contains
       real(dp), intent(in) :: t
       real(dp), intent(out) :: p(0:, 0:), delta     !! (0:nx, 0:ny)
       real(dp) :: back, weights(0:points - 1)
-      integer :: base, m, place
+      integer :: base, j, m, place(0:points - 1)
 
       back = (self%newest - t + self%period)/self%distance
       base = min(max(floor(back) - points/2 + 1, 0), size(self%delta) - points)
       weights = lagrange_weights(points, back - base)
-      p = 0
+      place = modulo(self%samples - 1 - base - [(m, m=0, points - 1)], size(self%delta))
       delta = 0
       do m = 0, points - 1
-         place = modulo(self%samples - 1 - base - m, size(self%delta))
-         p = p + weights(m)*self%p(:, :, place)
-         delta = delta + weights(m)*self%delta(place)
+         delta = delta + weights(m)*self%delta(place(m))
+      end do
+      do j = 0, ubound(p, 2)
+         p(:, j) = 0
+         do m = 0, points - 1
+            p(:, j) = p(:, j) + weights(m)*self%p(:, j, place(m))
+         end do
       end do
    end subroutine look_up
 

@@ -22,11 +22,12 @@ contains
       integer, intent(in) :: i, j
       real(dp), intent(in), optional :: besides   !! value that the range contains, too
       real(dp) :: highest, lowest
+      held = guess
+      if (abs(guess - p(i, j)) <= margin) return
       associate (near => p(max(i - 1, 0):min(i + 1, ubound(p, 1)), max(j - 1, 0):min(j + 1, ubound(p, 2))))
          lowest = minval(near)
          highest = maxval(near)
       end associate
-      held = guess
       if (highest - lowest <= steep) return
       if (present(besides)) lowest = min(lowest, besides)
       if (present(besides)) highest = max(highest, besides)
