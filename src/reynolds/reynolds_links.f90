@@ -23,7 +23,7 @@ contains
       type(mesh_t), intent(in) :: mesh
       type(flow_t), intent(in) :: flow                       !! at the point of linearisation
       integer, intent(in) :: block(4)                        !! nodes: first and last i, first and last j
-      real(dp), intent(out) :: by_p(:, :), by_h(:, :)        !! (nodes, flow_links)
+      real(dp), intent(out), contiguous :: by_p(:, :), by_h(:, :)   !! (nodes, flow_links)
       real(dp) :: east, north, south, west
       integer :: i, j, jm, jp, k, shift
 
@@ -67,51 +67,60 @@ contains
       type(mesh_t), intent(in) :: mesh
       type(flow_t), intent(in) :: flow
       integer, intent(in) :: block(4)
-      real(dp), intent(out) :: by_p(:, :), by_h(:, :)
-      integer :: below, i, j, k
+      real(dp), intent(out), contiguous :: by_p(:, :), by_h(:, :)
+      integer :: below, first, i, j, last, n
 
-      k = 0
+      i = block(1)
+      n = block(2) - i + 1
+      by_p = 0
+      by_h = 0
       do j = block(3), block(4)
-         do i = block(1), block(2)
-            k = k + 1
-            by_p(k, :) = 0
-            by_h(k, :) = 0
-            call add_link(flow%along_x, mesh%cx, [i, j], .true., by_p(k, 1), by_p(k, 2), by_h(k, 1), by_h(k, 2))
-            call add_link(flow%along_x, mesh%cx, [i - 1, j], .false., by_p(k, 1), by_p(k, 3), by_h(k, 1), by_h(k, 3))
+         first = (j - block(3))*n + 1
+         last = first + n - 1
+         associate (own_p => by_p(first:last, 1), own_h => by_h(first:last, 1))
+            call add_links(flow%along_x, mesh%cx, [i, j], .true., n, own_p, by_p(first:last, 2), own_h, &
+                           by_h(first:last, 2))
+            call add_links(flow%along_x, mesh%cx, [i - 1, j], .false., n, own_p, by_p(first:last, 3), own_h, &
+                           by_h(first:last, 3))
             if (mesh%grid%ny == 0) cycle
-            call add_link(flow%along_y, mesh%cy, [i, j], .true., by_p(k, 1), by_p(k, 4), by_h(k, 1), by_h(k, 4))
+            call add_links(flow%along_y, mesh%cy, [i, j], .true., n, own_p, by_p(first:last, 4), own_h, &
+                           by_h(first:last, 4))
             ! the face below a line of symmetry mirrors that above it
             below = mesh%grid%below(j)
-            call add_link(flow%along_y, mesh%cy, [i, min(j, below)], below > j, by_p(k, 1), by_p(k, 5), by_h(k, 1), &
-               by_h(k, 5))
-         end do
+            call add_links(flow%along_y, mesh%cy, [i, min(j, below)], below > j, n, own_p, by_p(first:last, 5), own_h, &
+                           by_h(first:last, 5))
+         end associate
       end do
    end subroutine general_links
 
-   !> Terms that the flow through a face adds to the derivatives of a node's residual, by itself and by the other node
-   !> of the face.
-   pure subroutine add_link(faces, c, face, is_first, own_p, other_p, own_h, other_h)
+   !> Terms that the flow through a row of faces adds to the derivatives of the residuals of a row of nodes, by
+   !> themselves and by the other nodes of the faces.
+   pure subroutine add_links(faces, c, face, is_first, n, own_p, other_p, own_h, other_h)
       type(face_flow_t), intent(in) :: faces
-      real(dp), intent(in) :: c              !! weight of a flux
-      integer, intent(in) :: face(2)
-      logical, intent(in) :: is_first  !! whether the node is the face's first: then the flux through the face flows
-                                             !! in
-      real(dp), intent(inout) :: own_p, other_p, own_h, other_h
+      real(dp), intent(in) :: c          !! weight of a flux
+      integer, intent(in) :: face(2)     !! the first
+      logical, intent(in) :: is_first    !! whether a node is its face's first: then the flux through the face flows in
+      integer, intent(in) :: n           !! nodes
+      real(dp), dimension(n), intent(inout) :: own_p, other_p, own_h, other_h
+      integer :: i, k
 
-      associate (i => face(1), j => face(2))
-         if (is_first) then
-            own_p = own_p + c*(faces%by_p1(i, j) - faces%own(i, j))
-            other_p = other_p + c*(faces%by_p2(i, j) + faces%own(i, j))
-            own_h = own_h + c*faces%by_h1(i, j)
-            other_h = other_h + c*faces%by_h2(i, j)
-         else
-            own_p = own_p - c*(faces%by_p2(i, j) + faces%own(i, j))
-            other_p = other_p - c*(faces%by_p1(i, j) - faces%own(i, j))
-            own_h = own_h - c*faces%by_h2(i, j)
-            other_h = other_h - c*faces%by_h1(i, j)
-         end if
+      associate (j => face(2))
+         do k = 1, n
+            i = face(1) + k - 1
+            if (is_first) then
+               own_p(k) = own_p(k) + c*(faces%by_p1(i, j) - faces%own(i, j))
+               other_p(k) = other_p(k) + c*(faces%by_p2(i, j) + faces%own(i, j))
+               own_h(k) = own_h(k) + c*faces%by_h1(i, j)
+               other_h(k) = other_h(k) + c*faces%by_h2(i, j)
+            else
+               own_p(k) = own_p(k) - c*(faces%by_p2(i, j) + faces%own(i, j))
+               other_p(k) = other_p(k) - c*(faces%by_p1(i, j) - faces%own(i, j))
+               own_h(k) = own_h(k) - c*faces%by_h2(i, j)
+               other_h(k) = other_h(k) - c*faces%by_h1(i, j)
+            end if
+         end do
       end associate
-   end subroutine add_link
+   end subroutine add_links
 
    !> 1/|A_ii|: pressure change for a unit residual at each unknown node, from the Poiseuille terms and the effect of
    !> the node's own deformation on the wedge term. Zero elsewhere. A limit of the stress, which a gradient of the

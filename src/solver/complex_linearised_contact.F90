@@ -4,7 +4,7 @@ module ehlwave_complex_linearised_contact
    use ehlwave_complex_band, only: band_t, new_band
    use ehlwave_complex_gmres, only: linear_system_t
    use ehlwave_complex_ilu, only: ilu_t, new_ilu
-   use ehlwave_complex_near_rows, only: near_rows
+   use ehlwave_complex_near_rows, only: near_links_t, near_rows
    use ehlwave_complex_transfer, only: prolong, prolong_transposed, restrict, restrict_transposed
    use ehlwave_complex_wedge, only: wedge_t
    use ehlwave_cycle_settings, only: cycle_settings_t, diagonal_shift

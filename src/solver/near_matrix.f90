@@ -7,7 +7,7 @@ module ehlwave_near_matrix
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_kernel, only: near_kernel_t, near_settings_t, new_near_kernel
-   use ehlwave_real_near_rows, only: near_rows
+   use ehlwave_real_near_rows, only: near_links_t, near_rows
    implicit none (type, external)
    private
 
@@ -68,13 +68,14 @@ contains
       real(dp), intent(in) :: weight(0:, 0:)        !! weight of the Reynolds rows
       real(dp), intent(out) :: a(:)                 !! (size(column))
       real(dp) :: rows(equations%mesh%grid%last_row - equations%mesh%grid%first_row + 1, self%kernel%entries)
+      type(near_links_t) :: links
       integer :: di, dj, entry, i, j, load_row
 
       associate (grid => equations%mesh%grid, kernel => self%kernel)
          entry = 0
          load_row = self%row_start(size(self%row_start) - 1)
          do i = 1, grid%nx - 1
-            call near_rows(kernel, equations%mesh, given%transport, equations%flow, i, rows)
+            call near_rows(kernel, equations%mesh, given%transport, equations%flow, i, links, rows)
             do j = grid%first_row, grid%last_row
                do di = max(-kernel%reach_x, 1 - i), min(kernel%reach_x, grid%nx - 1 - i)
                   do dj = max(-kernel%reach_y, grid%first_row - j), min(kernel%reach_y, grid%last_row - j)

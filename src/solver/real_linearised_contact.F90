@@ -12,7 +12,7 @@ module ehlwave_real_linearised_contact
    use ehlwave_real_band, only: band_t, new_band
    use ehlwave_real_gmres, only: linear_system_t
    use ehlwave_real_ilu, only: ilu_t, new_ilu
-   use ehlwave_real_near_rows, only: near_rows
+   use ehlwave_real_near_rows, only: near_links_t, near_rows
    use ehlwave_real_transfer, only: inject, prolong, prolong_transposed, restrict, &
       restrict_transposed
    use ehlwave_real_wedge, only: wedge_t

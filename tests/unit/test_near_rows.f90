@@ -5,7 +5,7 @@ program test_near_rows
    use ehlwave_kinds, only: dp
    use ehlwave_mesh, only: new_mesh
    use ehlwave_near_kernel, only: near_kernel_t, near_settings_t, new_near_kernel
-   use ehlwave_real_near_rows, only: near_rows
+   use ehlwave_real_near_rows, only: near_links_t, near_rows
    use ehlwave_reynolds, only: reynolds_change
    use ehlwave_text, only: to_text
    use ehlwave_transport, only: characteristic_transport, steady_transport, transport_t
@@ -72,6 +72,7 @@ contains
       type(transport_t) :: transport
       type(near_kernel_t) :: kernel
       real(dp), allocatable :: expected(:), jacobian(:, :, :, :), rows(:, :)
+      type(near_links_t) :: links
       integer :: di, dj, i, j, jj, low, target_i, target_j
 
       call make_contact(whole, 100.0_dp, d, nx, ny, .false.)
@@ -85,7 +86,7 @@ contains
          kernel = new_near_kernel(grid, elliptic%kappa, elliptic%k, near_settings_t())
          allocate (rows(grid%first_row:grid%last_row, kernel%entries), expected(kernel%entries))
          do i = 1, nx - 1
-            call near_rows(kernel, new_mesh(grid, elliptic%kappa), transport, flow, i, rows)
+            call near_rows(kernel, new_mesh(grid, elliptic%kappa), transport, flow, i, links, rows)
             do j = grid%first_row, grid%last_row
                expected = 0
                do di = -kernel%reach_x, kernel%reach_x
