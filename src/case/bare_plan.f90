@@ -120,10 +120,10 @@ contains
    !> and, up to 1024, 1000; smooth, transverse waves of 0.5 a by their response, and marches.
    pure real(dp) function expected_memory_mib(self)
       class(bare_plan_t), intent(in) :: self
-      real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_multigrid = 335, bytes_wavy = 900, &
+      real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_multigrid = 325, bytes_wavy = 900, &
          bytes_past = 165, &                                            ! the last period of waves
          bytes_timing = 64, &                                           ! bytes of a work unit, per timed cell
-         bytes_in_parts = 895, &     ! bytes of responses whose linear systems are not kept side by side
+         bytes_in_parts = 785, &     ! bytes of responses whose linear systems are not kept side by side
          bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
          bytes_set = 48, &                                              ! three fields, and their file
          bytes_fitted = 215                                             ! fluxes through faces

@@ -2,7 +2,7 @@
 module ehlwave_case_file
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: case_input_t
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: default_keys
    use ehlwave_errors, only: error_t
    use ehlwave_input_completion, only: complete_input
    use ehlwave_namelist, only: namelist_t
@@ -43,7 +43,7 @@ contains
 
       call input%read(file, error)
       call file%check_all_used(error)
-      call complete_input(input, case_key_list(), place, error)
+      call complete_input(input, default_keys(), place, error)
       case = input%case
    end subroutine read_groups
 

@@ -1,8 +1,6 @@
 !> The files that a case reads besides its input.
 module ehlwave_case_files
-   use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_length, key_long_name
-   use ehlwave_case_keys, only: case_key_list
    use ehlwave_identity_index, only: identity_length
    use ehlwave_key_list, only: key_list_t
    implicit none (type, external)
@@ -20,13 +18,11 @@ module ehlwave_case_files
 contains
 
    !> All files that cases may read, with the paths of a case.
-   function case_files(case) result(files)
-      type(case_t), intent(in) :: case
+   pure function case_files(list) result(files)
+      type(key_list_t), intent(in) :: list                  !! keys of the case
       type(case_file_t), allocatable :: files(:)
-      type(key_list_t) :: list
       integer :: i, k
 
-      list = case_key_list(case)
       allocate (files(count(list%keys(:list%count)%file /= '')))
       i = 0
       do k = 1, list%count

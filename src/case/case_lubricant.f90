@@ -3,11 +3,12 @@ module ehlwave_case_lubricant
    use ehlwave_carreau_law, only: new_carreau_law
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: case_file_t, case_files
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_conditions, only: conditions_t
    use ehlwave_density_law, only: density_law_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_flow_law, only: flow_law_t
-   use ehlwave_key_applicability, only: check_needed
+   use ehlwave_key_applicability, only: check_oil
    use ehlwave_kinds, only: dp
    use ehlwave_number_file, only: read_number_table
    use ehlwave_number_table, only: number_table_t
@@ -29,7 +30,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: what
 
-      call check_needed(case, 'lubricant', error)
+      call check_oil(case, error)
       if (.not. allocated(error)) call check_viscosity(case, error)
       if (allocated(error) .or. case%is_dimensional) return
       if (case%oil%is_newtonian() .and. .not. case%oil%shear_limit_over_pressure > 0) return
@@ -83,7 +84,7 @@ contains
       type(case_file_t), allocatable :: files(:)
       integer :: i
 
-      allocate (files, source=case_files(case))
+      allocate (files, source=case_files(case_key_list(case)))
       key = ''
       do i = 1, size(files)
          if (files(i)%path == path) key = files(i)%key

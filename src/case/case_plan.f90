@@ -4,10 +4,12 @@ module ehlwave_case_plan
    use ehlwave_case_completion, only: case_conditions
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: case_files, note_digest
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_lubricant, only: case_lubricant
    use ehlwave_domain_choice, only: chosen_scale, expected_domain_errors, scale_domain
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid
+   use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_plan, only: plan_march
    use ehlwave_plan_effort, only: cap_work, expect
@@ -27,11 +29,12 @@ contains
 
    !> Plan of a completed case. Fails when the case cannot be run. A coarser or finer plan of a planned case keeps the
    !> domain.
-   subroutine make_plan(case, plan, error, domain_scale)
+   subroutine make_plan(case, plan, error, domain_scale, keys)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(out) :: plan
       type(error_t), allocatable, intent(inout) :: error
       real(dp), intent(in), optional :: domain_scale   !! size of the domain over the keys' domain; absent: chosen
+      type(key_list_t), intent(in), optional :: keys   !! keys of the case, if at hand
       type(case_t) :: copy
       real(dp) :: errors(2)
 
@@ -39,7 +42,11 @@ contains
       call case_conditions(copy, plan%conditions, error)
       if (allocated(error)) return
       plan%rheology = case_lubricant(copy, plan%conditions)
-      plan%files = case_files(case)
+      if (present(keys)) then
+         plan%files = case_files(keys)
+      else
+         plan%files = case_files(case_key_list(case))
+      end if
       associate (measured => copy%oil%measured)
          if (allocated(measured%path)) call note_digest(plan%files, measured%path, measured%digest())
       end associate

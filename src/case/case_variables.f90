@@ -134,7 +134,7 @@ contains
       if (.not. allocated(error)) call case_conditions(other, variant%conditions, error)
       if (allocated(error)) return
       variant%rheology = case_lubricant(other, variant%conditions)
-      files = case_files(other)
+      files = case_files(case_key_list(other))
       call read_oil(other%effects%starvation, variant%conditions, variant%inlet, files, error)
       variant%touching = other%effects%touching%data
       if (allocated(error) .or. .not. (case%responds() .or. case%repeats() .or. case%touches_at_rest())) return

@@ -25,6 +25,7 @@ module ehlwave_far_field
    public :: new_far_field, rigid_strength, hertz_gap
 
    integer, parameter :: intervals = 256        !! intervals of (F2), in ln r
+   integer, parameter :: most_points = 40       !! of a rule for the gap
    real(dp), parameter :: farthest = 60         !! r where (F1) holds
    !> Makes the pressure at r = 1 a quarter of ph where the oil does not thicken.
    real(dp), parameter, public :: rising_exponent = 4
@@ -188,8 +189,9 @@ contains
    pure real(dp) function hertz_gap(conditions, x, y, rule) result(gap)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x, y
-      type(gauss_rule_t), intent(in) :: rule   !! 24 points
-      real(dp) :: b, c, t, w, w0, yy
+      type(gauss_rule_t), intent(in) :: rule   !! 24 points, at most `most_points`
+      real(dp), dimension(most_points) :: t, term, w
+      real(dp) :: b, c, w0, yy
       integer :: k
 
       gap = 0
@@ -203,10 +205,13 @@ contains
          yy = (y/kappa)**2
          b = 0.5_dp*(x**2 + yy - 1 - c)
          w0 = b + sqrt(max(0.0_dp, b**2 + c*(x**2 - 1) + yy))
+         do k = 1, rule%n                 ! several at once; the sum keeps its order
+            t(k) = 0.5_dp*(1 + rule%node(k))
+            w(k) = (1 + w0)/t(k)**2 - 1
+            term(k) = rule%weight(k)*(1 - x**2/(1 + w(k)) - yy/(c + w(k)))/(t(k)**2*sqrt((c + w(k))*w(k)))
+         end do
          do k = 1, rule%n
-            t = 0.5_dp*(1 + rule%node(k))
-            w = (1 + w0)/t**2 - 1
-            gap = gap + rule%weight(k)*(1 - x**2/(1 + w) - yy/(c + w))/(t**2*sqrt((c + w)*w))
+            gap = gap + term(k)
          end do
          gap = max(0.0_dp, s*x**2 + (1 - s)*y**2 - 1 + sqrt(1 + w0)*gap/(2*kappa*conditions%elliptic%k))
       end associate

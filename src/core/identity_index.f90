@@ -82,15 +82,19 @@ contains
    pure function text_identity(text) result(identity)
       character(len=*), intent(in) :: text
       character(len=identity_length) :: identity
+      character(len=*), parameter :: hexadecimal = '0123456789ABCDEF'
       integer(i8) :: hash
-      integer :: i
+      integer :: digit, i
 
       hash = -3750763034362895579_i8               ! 14695981039346656037 as a signed number
       do i = 1, len(text)
          hash = ieor(hash, int(iachar(text(i:i)), i8))
          hash = times_prime(hash)
       end do
-      write (identity, '(z16.16)') hash
+      do i = 1, identity_length
+         digit = int(ibits(hash, 64 - 4*i, 4)) + 1
+         identity(i:i) = hexadecimal(digit:digit)
+      end do
    end function text_identity
 
    !> hash * 1099511628211 modulo 2^64, without signed overflow: in halves of 32 bits. The prime is 2^40 + 435.

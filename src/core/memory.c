@@ -11,6 +11,9 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #ifdef __linux__
 #define PROGRAM program_invocation_short_name
@@ -78,13 +81,28 @@ enum { TEAM_BYTES = 65536 };   /* more than libgomp takes for a team: 1.5 KiB an
 
 void __real_GOMP_parallel(void (*body)(void *), void *data, unsigned threads, unsigned flags);
 
-/* libgomp allocates a team of threads by itself, and would end the program with a status of its own. */
+int omp_get_max_threads(void);
+int omp_get_num_threads(void);
+
+/* A single thread needs no team. libgomp allocates one by itself, and would end the program with a status of its own. */
 void __wrap_GOMP_parallel(void (*body)(void *), void *data, unsigned threads, unsigned flags)
 {
+   if (threads <= 1 && omp_get_max_threads() == 1 && omp_get_num_threads() == 1) {
+      body(data);
+      return;
+   }
    if (!ehlwave_can_allocate(TEAM_BYTES)) ehlwave_out_of_memory(TEAM_BYTES);
    __real_GOMP_parallel(body, data, threads, flags);
 }
 #endif
+
+/* Give pages of freed memory back to the system, where malloc does not by itself: holes between arrays in use. */
+void ehlwave_return_memory(void)
+{
+#ifdef __GLIBC__
+   malloc_trim(0);
+#endif
+}
 
 static double smaller(double a, double b) { return a < b ? a : b; }
 
@@ -147,8 +165,10 @@ static double memory_of_machine(void)
    most of a library: so much less is left. */
 double ehlwave_memory_limit(void)
 {
+   static double fixed = 0;               /* the part that is read once: the files of the system take as long as a small plan */
    struct rlimit addresses;
-   double mapped = 0, resident = 0, limit = smaller(memory_of_machine(), limit_of_groups());
+   if (fixed == 0) fixed = smaller(memory_of_machine(), limit_of_groups());
+   double mapped = 0, resident = 0, limit = fixed;
    FILE *file = fopen("/proc/self/statm", "r");
    if (file) {
       if (fscanf(file, "%lf %lf", &mapped, &resident) != 2) mapped = resident = 0;

@@ -4,7 +4,7 @@ module ehlwave_memory
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: can_allocate, memory_limit_mib, out_of_memory
+   public :: can_allocate, memory_limit_mib, out_of_memory, return_memory
 
    !> Nodes of a grid above which a solve takes less memory: columns of GMRES in single precision, and a linear system
    !> at a time. Response on 1024^2 cells, half of them computed: 554 MiB in place of 952, in the same steps.
@@ -18,6 +18,10 @@ module ehlwave_memory
          implicit none (type, external)
          integer(c_size_t), value :: bytes   !! requested bytes
       end subroutine out_of_memory
+      !> Return freed memory to the system before many arrays of another size are made.
+      subroutine return_memory() bind(c, name='ehlwave_return_memory')
+         implicit none (type, external)
+      end subroutine return_memory
       integer(c_int) function c_can_allocate(bytes) bind(c, name='ehlwave_can_allocate')
          import :: c_int, c_size_t
          implicit none (type, external)

@@ -5,9 +5,10 @@ module ehlwave_text
    use ehlwave_kinds, only: dp, i8
    implicit none (type, external)
    private
-   public :: count_lines, fewest_figures, harmless, lower_case, next_line, number_of, put, shown, to_text
+   public :: count_lines, harmless, lower_case, next_line, number_of, put, shown, to_text
 
    integer, parameter :: most_shown = 60   ! characters of a text from outside that a message repeats
+   integer, parameter, public :: fewest_digits = 0   !! the fewest of 15 to 17 that read back as the same number
 
    !> Number or logical as trimmed text; reals with `digits` significant digits (default: 17, lossless).
    interface to_text
@@ -15,20 +16,14 @@ module ehlwave_text
    end interface to_text
 
    interface
-      pure subroutine c_figures(value, digits, figures, exponent) bind(c, name='ehlwave_figures')
+      pure subroutine number_text(value, digits, text, length) bind(c, name='ehlwave_number_text')
          import :: c_char, c_double, c_int
          implicit none (type, external)
          real(c_double), value :: value
          integer(c_int), value :: digits
-         character(kind=c_char), intent(inout) :: figures(*)
-         integer(c_int), intent(out) :: exponent
-      end subroutine c_figures
-      !> How many significant digits, 15 to 17, read back as the same number.
-      pure integer(c_int) function fewest_figures(value) bind(c, name='ehlwave_fewest_figures')
-         import :: c_double, c_int
-         implicit none (type, external)
-         real(c_double), value :: value
-      end function fewest_figures
+         character(kind=c_char), intent(inout) :: text(*)
+         integer(c_int), intent(out) :: length
+      end subroutine number_text
    end interface
 
 contains
@@ -42,9 +37,21 @@ contains
    pure function long_text(value) result(text)
       integer(i8), intent(in) :: value
       character(len=:), allocatable :: text
-      character(len=24) :: buffer
-      write (buffer, '(i0)') value
-      text = trim(buffer)
+      character(len=20) :: figures
+      integer(i8) :: rest
+      integer :: first
+      rest = value
+      if (rest > 0) rest = -rest                ! negative numbers go farther
+      do first = len(figures), 2, -1
+         figures(first:first) = achar(iachar('0') - int(mod(rest, 10_i8)))
+         rest = rest/10
+         if (rest == 0) exit
+      end do
+      if (value < 0) then
+         first = first - 1
+         figures(first:first) = '-'
+      end if
+      text = figures(first:)
    end function long_text
 
    !> A number of things: '1 case', '12 cases'.
@@ -61,30 +68,18 @@ contains
       real(dp), intent(in) :: value
       integer, intent(in), optional :: digits
       character(len=:), allocatable :: text
-      character(len=40) :: figures
-      integer :: exponent, kept, n
+      character(len=50) :: buffer
+      integer :: length, n
 
       if (.not. ieee_is_finite(value)) then
-         write (figures, '(es26.16e3)') value
-         text = trim(adjustl(figures))
+         write (buffer, '(es26.16e3)') value
+         text = trim(adjustl(buffer))
          return
       end if
       n = 17
       if (present(digits)) n = digits
-      figures = ''
-      call c_figures(value, n, figures, exponent)
-      kept = max(1, verify(figures, '0 ', back=.true.))
-      if (exponent >= -4 .and. exponent < 0) then
-         text = '0.'//repeat('0', -exponent - 1)//figures(:kept)
-      else if (exponent >= 0 .and. exponent < n) then
-         text = figures(:exponent + 1)
-         if (kept > exponent + 1) text = text//'.'//figures(exponent + 2:kept)
-      else
-         text = figures(1:1)
-         if (kept > 1) text = text//'.'//figures(2:kept)
-         text = text//'e'//integer_text(exponent)
-      end if
-      if (sign(1.0_dp, value) < 0) text = '-'//text
+      call number_text(value, n, buffer, length)
+      text = buffer(:length)
    end function real_text
 
    pure function logical_text(value) result(text)

@@ -17,6 +17,7 @@ module ehlwave_deformation_fft
       type(double_convolution_t) :: double
       type(single_convolution_t) :: single
       real(dp) :: operations = 0   ! operations of a convolution
+      real(dp) :: made_for(7) = 0  ! all that it depends on
    contains
       procedure :: init
       procedure :: apply
@@ -25,19 +26,23 @@ module ehlwave_deformation_fft
 
 contains
 
-   !> Plans and kernel transform for a grid; kappa and K of the contact.
+   !> Plans and kernel transform for a grid; kappa and K of the contact. Those at hand serve the same again.
    subroutine init(self, grid, kappa, k)
       class(deformation_fft_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa   !! ellipticity a/b
       real(dp), intent(in) :: k       !! complete elliptic integral of the first kind
       type(kernel_transform_t) :: kernel
+      real(dp) :: made_for(7)
 
       if (checks) call assert(min(grid%hx, grid%hy) > 0 .and. kappa > 0 .and. k > 0, &
                               'deformation%init: positive mesh sizes and kappa')
+      made_for = [grid%hx, grid%hy, kappa, k, real([grid%nx, grid%ny, merge(1, 0, grid%is_half)], dp)]
+      if (all(abs(made_for - self%made_for) <= 0)) return
+      self%made_for = made_for
       kernel = new_kernel_transform(grid, kappa, k)
       call self%double%init(grid, kernel)
-      call self%single%init(grid, kernel)
+      call self%single%init(grid, kernel, self%double%memory_of_rows())
       self%operations = 2*(grid%ny + 1)*transform_operations(real(kernel%px, dp)) &
                         + 4*(kernel%px/2 + 1)*transform_operations(real(kernel%py, dp))
       self%convolution = anint(single_share*self%operations)

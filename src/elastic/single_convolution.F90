@@ -5,8 +5,8 @@
 #define FREE fftwf_free
 !> Convolution of a field on a grid with an even kernel by FFT in single precision.
 module ehlwave_single_convolution
-   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_int, &
-      c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_f_pointer, &
+      c_int, c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
    use ehlwave_fftw_answer, only: obtained
    use ehlwave_fftw_memory, only: allot
    use ehlwave_grid, only: grid_t

@@ -2,7 +2,7 @@
 module ehlwave_case_input
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_length, key_t, key_value_t, most_keys
-   use ehlwave_case_keys, only: case_key_list, case_values, take_values
+   use ehlwave_case_keys, only: list_case_keys, take_values
    use ehlwave_effects_keys, only: effect_count
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: read_key
@@ -78,12 +78,12 @@ contains
       class(case_input_t), intent(inout) :: self
       type(namelist_t), intent(inout) :: file        !! loaded
       type(error_t), allocatable, intent(inout) :: error
-      type(key_list_t) :: list
+      type(key_list_t), save :: list
       type(value_t), allocatable :: item
       character(len=:), allocatable :: group, problem
       integer :: k, n
 
-      list = case_key_list(self%case)
+      call list_case_keys(self%case, list)
       call read_keys(file, list, self%is_given, error)
       call file%value_of('lubricant', former_limit, item, error)
       if (allocated(item)) then
@@ -107,12 +107,10 @@ contains
       integer, intent(in) :: numbers(:)              !! numbers of the keys
       type(key_value_t), intent(in) :: values(:)     !! one per key
       type(key_list_t) :: list
-      integer :: i
 
-      list = case_values(self%case)
-      do i = 1, size(numbers)
-         list%values(numbers(i)) = values(i)
-      end do
+      allocate (list%values(most_keys))
+      list%values(numbers) = values
+      list%given_back = numbers
       call take_values(list, self%case)
       self%is_given(numbers) = .true.
    end subroutine set

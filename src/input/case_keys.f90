@@ -16,7 +16,8 @@ module ehlwave_case_keys
    use ehlwave_threads, only: most_threads
    implicit none (type, external)
    private
-   public :: case_key_list, case_values, default_values, take_values
+   public :: case_key_list, case_values, default_keys, list_case_keys, list_oil_keys, &
+      take_values
 
    character(len=*), parameter :: elliptical = 'elliptical contacts (radius_ratio_d above 0), not to line contacts'
    character(len=*), parameter :: time_steps = 'marches in time (waves or a surface that move, or &dynamics end_time)'
@@ -24,22 +25,39 @@ module ehlwave_case_keys
 
 contains
 
-   !> All keys of a case with their values, without a case with their defaults.
+   !> All keys of a case with their values.
    function case_key_list(case) result(list)
-      type(case_t), intent(in), optional :: case
+      type(case_t), intent(in) :: case
       type(key_list_t) :: list
-      type(case_t) :: copy
-      if (present(case)) copy = case
-      call visit_case_keys(copy, list)
+      call list_case_keys(case, list)
    end function case_key_list
 
-   !> Defaults of all keys, without the keys. Made at the first call, which threads must not share.
-   function default_values() result(list)
+   !> `case_key_list` in a list that may be one of another case: its memory serves again.
+   subroutine list_case_keys(case, list)
+      type(case_t), intent(in) :: case
+      type(key_list_t), intent(inout) :: list
+      type(case_t) :: copy
+      copy = case
+      call visit_case_keys(copy, list)
+   end subroutine list_case_keys
+
+   !> The keys of the oil of a case, likewise.
+   subroutine list_oil_keys(case, list)
+      type(case_t), intent(in) :: case
+      type(key_list_t), intent(inout) :: list
+      type(case_t) :: copy
+      copy = case
+      call list%begin()
+      call visit_oil(copy, list)
+   end subroutine list_oil_keys
+
+   !> All keys with their defaults. Made at the first call, which threads must not share.
+   function default_keys() result(list)
       type(key_list_t), pointer :: list
       type(key_list_t), save, target :: defaults
-      if (.not. allocated(defaults%values)) defaults = case_values(case_t())
+      if (.not. allocated(defaults%values)) defaults = case_key_list(case_t())
       list => defaults
-   end function default_values
+   end function default_keys
 
    !> Values without the keys, for callers that need only values.
    function case_values(case) result(list)
@@ -57,6 +75,7 @@ contains
       type(case_t), intent(inout) :: case
       list%gives_back = .true.
       call visit_case_keys(case, list)
+      list%gives_back = .false.
    end subroutine take_values
 
    subroutine visit_case_keys(case, list)
@@ -65,8 +84,7 @@ contains
 
       call list%begin()
       call visit_conditions(case, list)
-      call visit_oil_keys(case%oil, case%effects%are_warm(), list)
-      call case%effects%visit('lubricant', list)
+      call visit_oil(case, list)
       call visit_waviness(case%roughness_t, 'Harmonic waves of one surface.', list)
       call list%see(case%phase_deg, key_t('phase_deg', 'phase of waves at rest; 0: smallest gap at X = 0', unit='deg', &
          minimum=-360.0_dp, maximum=360.0_dp, is_late=.true., when='waves at rest with &touching', &
@@ -103,6 +121,13 @@ contains
          counts=case%responds() .and. .not. case%effects%refuse(by_second_order), when=linear//' in flooded contacts'))
       call case%effects%visit('output', list)
    end subroutine visit_case_keys
+
+   subroutine visit_oil(case, list)
+      type(case_t), intent(inout) :: case
+      type(key_list_t), intent(inout) :: list
+      call visit_oil_keys(case%oil, case%effects%are_warm(), list)
+      call case%effects%visit('lubricant', list)
+   end subroutine visit_oil
 
    subroutine visit_conditions(case, list)
       type(case_t), intent(inout) :: case

@@ -2,7 +2,7 @@
 module ehlwave_case_text
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: is_same, value_text
-   use ehlwave_case_keys, only: case_key_list, default_values
+   use ehlwave_case_keys, only: case_key_list, default_keys
    use ehlwave_identity_index, only: text_identity
    use ehlwave_key_bounds, only: is_allowed
    use ehlwave_key_list, only: key_list_t
@@ -34,7 +34,7 @@ contains
       character(len=:), allocatable :: group       ! group of the text
       integer :: k, n
 
-      defaults => default_values()
+      defaults => default_keys()
       text = ''
       n = 0
       group = ''

@@ -3,13 +3,13 @@ module ehlwave_key_applicability
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: is_same, value_text
-   use ehlwave_case_keys, only: case_key_list, default_values
+   use ehlwave_case_keys, only: default_keys, list_case_keys, list_oil_keys
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: bounds_text, is_allowed, is_none
    use ehlwave_key_list, only: key_list_t
    implicit none (type, external)
    private
-   public :: check_applicability, check_needed
+   public :: check_applicability, check_oil
 
 contains
 
@@ -19,8 +19,8 @@ contains
    subroutine check_applicability(input, error)
       type(case_input_t), intent(inout) :: input
       type(error_t), allocatable, intent(inout) :: error
-      type(key_list_t) :: given
-      given = case_key_list(input%case)
+      type(key_list_t), save :: given
+      call list_case_keys(input%case, given)
       associate (keys => given%keys(:given%count))
          if (any(input%is_given(:given%count) .and. .not. (keys%applies .and. keys%counts))) &
             call drop_idle(input, given, error)
@@ -34,10 +34,12 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(key_list_t), pointer :: defaults
       character(len=:), allocatable :: idle
+      logical :: is_dropped(given%count)
       integer :: k
 
-      defaults => default_values()
+      defaults => default_keys()
       idle = ''
+      is_dropped = .false.
       do k = 1, given%count
          associate (key => given%keys(k), value => given%values(k), default => defaults%values(k))
             if (key%applies .and. key%counts .or. .not. input%is_given(k)) cycle
@@ -52,28 +54,29 @@ contains
                   ': remove it, or set what it belongs to')
                return
             end if
-            call input%set([k], [default])
-            input%is_given(k) = .false.
+            is_dropped(k) = .true.
          end associate
       end do
+      if (any(is_dropped)) call input%set(pack([(k, k=1, given%count)], is_dropped), &
+                                          pack(defaults%values(:given%count), is_dropped))
+      input%is_given(:given%count) = input%is_given(:given%count) .and. .not. is_dropped
       if (idle /= '') input%case%idle = idle(3:)
    end subroutine drop_idle
 
-   !> Refuse a case where a key of a group applies and has no value that it may have.
-   subroutine check_needed(case, group, error)
+   !> Refuse a case where a key of the oil applies and has no value that it may have.
+   subroutine check_oil(case, error)
       type(case_t), intent(in) :: case
-      character(len=*), intent(in) :: group
       type(error_t), allocatable, intent(inout) :: error
-      type(key_list_t) :: given
-      type(key_list_t), pointer :: defaults
+      type(key_list_t), save :: given
+      type(key_list_t) :: defaults
       integer :: k
 
-      given = case_key_list(case)
+      call list_oil_keys(case, given)
       do k = 1, given%count
          associate (key => given%keys(k), value => given%values(k))
-            if (key%group /= group .or. .not. key%applies) cycle
+            if (key%group /= 'lubricant' .or. .not. key%applies) cycle
             if (is_allowed(key, value)) cycle
-            defaults => default_values()
+            call list_oil_keys(case_t(), defaults)
             if (is_none(value, defaults%values(k))) then
                call raise(error, '&'//trim(key%group)//' '//trim(key%name)//' is missing: '//trim(key%when)// &
                   ' needs it')
@@ -83,7 +86,7 @@ contains
             return
          end associate
       end do
-   end subroutine check_needed
+   end subroutine check_oil
 
    !> '&group name = value'.
    function shown_key(list, k) result(text)

@@ -1,7 +1,7 @@
 !> The table of keys as JSON, for programs that write inputs.
 module ehlwave_key_json
    use ehlwave_case_key, only: choice_length, key_t, key_value_t, number_kind, truth_kind, whole_kind, words_of
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: default_keys
    use ehlwave_json, only: real_json, string_json
    use ehlwave_key_list, only: key_list_t
    use ehlwave_key_reference, only: default_text, has_default_value
@@ -20,7 +20,7 @@ contains
       type(key_list_t) :: list
       integer :: k
 
-      list = case_key_list()
+      list = default_keys()
       text = ''
       do k = 1, list%count
          text = text//', '//key_json(list%keys(k), list%values(k))

@@ -15,6 +15,7 @@ module ehlwave_key_list
       type(key_t), allocatable :: keys(:)            !! at least `count`
       type(key_value_t), allocatable :: values(:)
       logical :: gives_back = .false.
+      integer, allocatable :: given_back(:)          !! numbers of keys to give back; not allocated: all
       logical :: has_keys = .true.                   !! false: makes values only, which costs a fraction
       type(key_t) :: common                          !! holds for all keys that follow in the group: applies, is_late,
                                                      !! ...
@@ -34,8 +35,8 @@ contains
       class(key_list_t), intent(inout) :: self
       self%count = 0
       if (self%gives_back) return
-      allocate (self%values(most_keys))
-      if (self%has_keys) allocate (self%keys(most_keys))
+      if (.not. allocated(self%values)) allocate (self%values(most_keys))
+      if (self%has_keys .and. .not. allocated(self%keys)) allocate (self%keys(most_keys))
    end subroutine begin
 
    !> The keys of a group follow.
@@ -56,6 +57,9 @@ contains
 
       if (self%gives_back) then
          self%count = self%count + 1
+         if (allocated(self%given_back)) then
+            if (.not. any(self%given_back == self%count)) return
+         end if
          value = self%values(self%count)
       end if
       select type (component)

@@ -1,7 +1,7 @@
 !> The reference of a table of keys, as text for a terminal and as Markdown for the pages of inputs/keys.
 module ehlwave_key_reference
    use ehlwave_case_key, only: key_t, key_value_t, value_text, word_kind
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: default_keys
    use ehlwave_key_bounds, only: bounds_text, is_allowed, is_none
    use ehlwave_key_list, only: key_list_t
    implicit none (type, external)
@@ -17,7 +17,7 @@ contains
    function case_key_reference(is_markdown) result(text)
       logical, intent(in) :: is_markdown
       character(len=:), allocatable :: text
-      text = key_reference(case_key_list(), is_markdown)
+      text = key_reference(default_keys(), is_markdown)
    end function case_key_reference
 
    !> Reference of the keys of a list; the first of a group follows a description of the group.

@@ -2,7 +2,7 @@
 module ehlwave_json
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp
-   use ehlwave_text, only: fewest_figures, to_text
+   use ehlwave_text, only: fewest_digits, to_text
    implicit none (type, external)
    private
    public :: list_json, real_json, string_json
@@ -21,13 +21,13 @@ contains
       text = '['//text(3:)//']'
    end function list_json
 
-   !> The shortest of 15, 16 and 17 significant digits that reads back as the same number; of NaN and infinities null.
+   !> The fewest digits that read back as the same number; of NaN and infinities null.
    pure function real_json(value) result(text)
       real(dp), intent(in) :: value
       character(len=:), allocatable :: text
 
       text = 'null'
-      if (ieee_is_finite(value)) text = to_text(value, fewest_figures(value))
+      if (ieee_is_finite(value)) text = to_text(value, fewest_digits)
    end function real_json
 
    !> Text in double quotes; control characters are escaped, bytes that are not UTF-8 become U+FFFD.
@@ -40,8 +40,12 @@ contains
       integer :: i, n, code, bytes, width
 
       allocate (character(len=6*len(text)) :: buffer)   ! not on the stack: texts may be whole files
-      n = 0
-      i = 1
+      do i = 1, len(text)                              ! most texts are plain
+         code = iachar(text(i:i))
+         if (code < 32 .or. code > 126 .or. code == 34 .or. code == 92) exit
+      end do
+      n = i - 1
+      buffer(:n) = text(:n)
       do while (i <= len(text))
          code = iachar(text(i:i))
          bytes = 1

@@ -6,8 +6,9 @@
 !> so that a single check at the end is enough. Names do not depend on case.
 module ehlwave_namelist
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_identity_index, only: identity_length
    use ehlwave_namelist_known, only: known_names_t
-   use ehlwave_namelist_scanner, only: contents_t, scan_namelist, value_t
+   use ehlwave_namelist_scanner, only: contents_t, key_identity, scan_namelist, value_t
    use ehlwave_namelist_tokens, only: line_prefix
    use ehlwave_text, only: lower_case, shown, to_text
    use ehlwave_text_file, only: read_text
@@ -71,7 +72,7 @@ contains
       prefix = self%path//': '
       i = self%contents%group_place(group)
       if (i > 0) prefix = line_prefix(self%path, self%contents%groups(i)%line)
-      i = self%contents%entry_place(group, key)
+      i = self%contents%entry_place(key_identity(group, key))
       if (i > 0) prefix = line_prefix(self%path, self%contents%entries(i)%line)
    end function place
 
@@ -112,10 +113,12 @@ contains
       character(len=*), intent(in) :: group, key
       type(value_t), allocatable, intent(out) :: items(:)
       type(error_t), allocatable, intent(in) :: error
+      character(len=identity_length) :: identity
       integer :: i
       if (allocated(error)) return
-      call self%known%learn(group, key)
-      i = self%contents%entry_place(group, key)
+      identity = key_identity(group, key)
+      call self%known%learn(identity, group, key)
+      i = self%contents%entry_place(identity)
       if (i > 0) items = self%contents%values(self%contents%entries(i)%first:self%contents%entries(i)%last)
    end subroutine values_of
 

@@ -1,7 +1,7 @@
 !> Known groups and keys, and advice about unknown names.
 module ehlwave_namelist_known
-   use ehlwave_identity_index, only: identity_index_t, text_identity
-   use ehlwave_namelist_scanner, only: name_length
+   use ehlwave_identity_index, only: identity_index_t, identity_length
+   use ehlwave_namelist_scanner, only: key_identity, name_length
    use ehlwave_spelling, only: nearest_word
    use ehlwave_text, only: lower_case, to_text
    implicit none (type, external)
@@ -9,9 +9,10 @@ module ehlwave_namelist_known
    public :: known_names_t
 
    integer, parameter :: longest_list = 30   !! names that a message lists
+   integer, parameter :: usual_number = 128  ! of keys
 
    type :: known_names_t
-      character(len=name_length), allocatable, private :: groups(:), keys(:)   !! names of groups and keys, lower case
+      character(len=name_length), allocatable, private :: groups(:), keys(:)   ! (:index%count) names, lower case
       type(identity_index_t), private :: index                                !! index of both, in order of request
    contains
       procedure :: learn
@@ -22,16 +23,20 @@ module ehlwave_namelist_known
 contains
 
    !> Note a key and its group.
-   subroutine learn(self, group, key)
+   subroutine learn(self, identity, group, key)
       class(known_names_t), intent(inout) :: self
+      character(len=identity_length), intent(in) :: identity   !! identity of both, see `key_identity`
       character(len=*), intent(in) :: group, key
       integer :: i
 
-      if (.not. allocated(self%keys)) allocate (self%groups(0), self%keys(0))
-      call self%index%add(text_identity(lower_case(trim(group))//' '//lower_case(trim(key))), i)
-      if (i <= size(self%keys)) return
-      self%groups = [character(len=name_length) :: self%groups, lower_case(group)]
-      self%keys = [character(len=name_length) :: self%keys, lower_case(key)]
+      if (.not. allocated(self%keys)) allocate (self%groups(usual_number), self%keys(usual_number))
+      call self%index%add(identity, i)
+      if (i > size(self%keys)) then
+         self%groups = [self%groups, self%groups]
+         self%keys = [self%keys, self%keys]
+      end if
+      self%groups(i) = lower_case(group)
+      self%keys(i) = lower_case(key)
    end subroutine learn
 
    !> Empty for a known group; otherwise the problem and the change needed.
@@ -42,7 +47,7 @@ contains
       character(len=name_length), allocatable :: groups(:)
 
       allocate (groups(0))
-      if (allocated(self%groups)) groups = self%groups
+      if (allocated(self%groups)) groups = self%groups(:self%index%count)
       problem = ''
       if (.not. any(groups == group)) problem = 'unknown group &'//trim(group)//': '// &
          advice(group, groups, '&', 'groups')
@@ -56,14 +61,14 @@ contains
       integer :: i
 
       problem = ''
-      if (self%index%find(text_identity(trim(group)//' '//trim(key))) > 0) return
-      do i = 1, size(self%keys)
+      if (self%index%find(key_identity(group, key)) > 0) return
+      do i = 1, self%index%count
          if (self%keys(i) == key) problem = problem//' or &'//trim(self%groups(i))
       end do
       if (problem /= '') then
          problem = 'it belongs to '//problem(5:)//', move it there'
       else
-         problem = advice(key, pack(self%keys, self%groups == group), '', 'keys')
+         problem = advice(key, pack(self%keys(:i - 1), self%groups(:i - 1) == group), '', 'keys')
       end if
       problem = 'unknown key '''//trim(key)//''' in &'//trim(group)//': '//problem
    end function key_problem

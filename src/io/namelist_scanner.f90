@@ -6,12 +6,12 @@
 !> elements, text in quotes stays on one line and unquoted words are never text.
 module ehlwave_namelist_scanner
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_identity_index, only: identity_index_t, text_identity
+   use ehlwave_identity_index, only: identity_index_t, identity_length, text_identity
    use ehlwave_namelist_tokens, only: cursor_t, token_t, end_of_text, quoted, word
    use ehlwave_text, only: lower_case, shown, to_text
    implicit none (type, external)
    private
-   public :: contents_t, scan_namelist, value_t
+   public :: contents_t, key_identity, scan_namelist, value_t
 
    integer, parameter, public :: name_length = 63   !! longest name of a group or key
    integer, parameter :: max_values = 100000        !! per file, repeat counts included
@@ -63,11 +63,18 @@ contains
    end function group_place
 
    !> Place of a key among all entries, 0 when it is not there.
-   integer function entry_place(self, group, key)
+   integer function entry_place(self, identity)
       class(contents_t), intent(in) :: self
-      character(len=*), intent(in) :: group, key
-      entry_place = self%entry_index%find(text_identity(lower_case(trim(group)//' '//trim(key))))
+      character(len=identity_length), intent(in) :: identity   !! by `key_identity`
+      entry_place = self%entry_index%find(identity)
    end function entry_place
+
+   !> Identity of a key in a group.
+   pure function key_identity(group, key) result(identity)
+      character(len=*), intent(in) :: group, key
+      character(len=identity_length) :: identity
+      identity = text_identity(lower_case(trim(group)//' '//trim(key)))
+   end function key_identity
 
    !> Split `text`. Fails when it breaks the format.
    subroutine scan_namelist(path, text, contents, error)
@@ -142,7 +149,7 @@ contains
       end if
       call check_name(s, 'key')
       entry = entry_t(group%name, lower_case(s%token%text), s%token%line, first=s%found%n_values + 1)
-      call s%found%entry_index%add(text_identity(trim(entry%group)//' '//trim(entry%key)), i)
+      call s%found%entry_index%add(key_identity(entry%group, entry%key), i)
       if (i <= s%found%n_entries) call s%fail(entry%line, 'key '''//trim(entry%key)// &
          ''' is given twice (first on line '//to_text(s%found%entries(i)%line)//'): remove one')
       call shift(s)

@@ -28,9 +28,10 @@ module ehlwave_quantity
       procedure :: add_truth
       procedure :: add_list
       procedure :: find
+      procedure :: is_like
    end type quantity_list_t
 
-   integer, parameter :: usual_size = 320   ! of a case
+   integer, parameter :: usual_size = 320, few = 32   ! of a case, and of its errors alone
    integer, parameter, public :: unknown_whole = -1   !! in files, of whole numbers and truths; else NaN or nothing
 
 contains
@@ -43,6 +44,20 @@ contains
          if (self%items(find)%name == name) return
       end do
    end function find
+
+   !> Whether two lists have the same names, kinds and existing quantities, in the same order.
+   pure logical function is_like(self, other)
+      class(quantity_list_t), intent(in) :: self
+      type(quantity_list_t), intent(in) :: other
+      integer :: k
+      is_like = self%count == other%count
+      do k = 1, self%count
+         if (.not. is_like) return
+         associate (a => self%items(k), b => other%items(k))
+            is_like = a%name == b%name .and. a%kind == b%kind .and. (a%exists .eqv. b%exists)
+         end associate
+      end do
+   end function is_like
 
    !> Add a real or whole number, a logical, or a text, which is kept with its trailing blanks.
    subroutine add(self, name, long_name, value, unit, exists, error_of)
@@ -75,8 +90,13 @@ contains
             item%unit = ''
          end select
          if (present(unit)) item%unit = unit
+         item%exists = .true.
          if (present(exists)) item%exists = exists
-         if (present(error_of)) item%error_of = error_of
+         if (present(error_of)) then
+            item%error_of = error_of
+         else if (allocated(item%error_of)) then
+            deallocate (item%error_of)
+         end if
       end associate
    end subroutine add
 
@@ -105,12 +125,12 @@ contains
       end associate
    end subroutine add_list
 
-   !> One more item, blank.
+   !> One more item, with the values of an item of an earlier list.
    subroutine lengthen(self)
       class(quantity_list_t), intent(inout) :: self
       type(quantity_t), allocatable :: more(:)
 
-      if (.not. allocated(self%items)) allocate (self%items(usual_size))
+      if (.not. allocated(self%items)) allocate (self%items(merge(few, usual_size, self%has_errors_only)))
       if (self%count == size(self%items)) then
          allocate (more(2*self%count))
          more(:self%count) = self%items

@@ -49,7 +49,9 @@ contains
       text = ''
       n = 0
       do k = 1, list%count
-         if (list%items(k)%exists) call put(text, n, ','//value_json(list%items(k)))
+         if (.not. list%items(k)%exists) cycle
+         call put(text, n, ',')
+         call put(text, n, value_json(list%items(k)))
       end do
       text = '['//text(2:n)//']'
    end function json_values

@@ -26,13 +26,14 @@ module ehlwave_contact_problem
       type(film_heat_t), allocatable :: heat     !! temperatures of the oil; not allocated where it is at T0
       type(edge_values_t) :: edges               !! P at the edges of the domain
       class(deformation_t), allocatable :: deformation
-      real(dp), allocatable :: smooth_gap(:, :)  !! S X^2 + (1 - S) Y^2, (0:nx, 0:ny)
+      real(dp), allocatable :: own_gap(:, :)     !! gap in place of S X^2 + (1 - S) Y^2, (0:nx, 0:ny)
    contains
       procedure :: init
       procedure :: lay_out
       procedure :: take_oil
       procedure :: set_conditions
       procedure :: film
+      procedure :: smooth_gap
       procedure :: smooth_film
       procedure :: film_of_guess
       procedure :: density
@@ -55,18 +56,12 @@ contains
       class(contact_problem_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       type(conditions_t), intent(in) :: conditions
-      integer :: j
 
       self%grid = grid
       if (conditions%is_line() .and. &
          .not. allocated(self%deformation)) allocate (deformation_line_t :: self%deformation)
       if (.not. allocated(self%deformation)) allocate (deformation_fft_t :: self%deformation)
       call self%deformation%init(grid, conditions%elliptic%kappa, conditions%elliptic%k)
-      if (allocated(self%smooth_gap)) deallocate (self%smooth_gap)
-      allocate (self%smooth_gap(0:grid%nx, 0:grid%ny))
-      do j = 0, grid%ny
-         self%smooth_gap(:, j) = conditions%s*grid%x**2 + (1 - conditions%s)*grid%y(j)**2
-      end do
    end subroutine lay_out
 
    !> Conditions and oil of a problem on another grid, and the flow across the film that was made of them.
@@ -111,6 +106,20 @@ contains
       end do
    end subroutine film
 
+   !> Gap between undeformed smooth surfaces along a row of nodes, but for the approach.
+   pure function smooth_gap(self, j) result(gap)
+      class(contact_problem_t), intent(in) :: self
+      integer, intent(in) :: j
+      real(dp) :: gap(0:self%grid%nx)
+      associate (grid => self%grid, s => self%conditions%s)
+         if (allocated(self%own_gap)) then
+            gap = self%own_gap(:, j)
+         else
+            gap = s*grid%x**2 + (1 - s)*grid%y(j)**2
+         end if
+      end associate
+   end function smooth_gap
+
    !> `film` of smooth surfaces.
    subroutine smooth_film(self, p, delta, h)
       class(contact_problem_t), intent(inout) :: self
@@ -121,7 +130,7 @@ contains
       call self%deformation%apply(p, h)
       !$omp parallel do schedule(static) if (is_shared(size(h)))
       do j = 0, ubound(h, 2)
-         h(:, j) = h(:, j) + self%smooth_gap(:, j) - delta
+         h(:, j) = h(:, j) + self%smooth_gap(j) - delta
       end do
    end subroutine smooth_film
 

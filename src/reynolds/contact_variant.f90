@@ -79,7 +79,6 @@ contains
          else
             call move_alloc(problem%deformation, other%deformation)
             other%grid = problem%grid
-            other%smooth_gap = problem%smooth_gap
             call other%set_conditions(variant%conditions, variant%rheology)
          end if
       end associate

@@ -38,7 +38,9 @@ module ehlwave_equations
       procedure :: follow
       procedure :: work
       procedure :: inject_from
+      procedure :: keep_changes
       procedure :: set_scale
+      procedure :: drop_scale
       procedure :: load_residual
    end type equations_t
 
@@ -124,7 +126,7 @@ contains
    !> Operations of the last evaluation, see `ehlwave_work_unit`.
    pure real(dp) function work(self)
       class(equations_t), intent(in) :: self
-      work = real(evaluation_operations, dp)*size(self%residual) + self%flow%film_work()
+      work = real(evaluation_operations, dp)*size(self%is_cavitated) + self%flow%film_work()
    end function work
 
    !> Coefficients and cavitated nodes of the next finer grid, at the nodes of this one.
@@ -141,10 +143,24 @@ contains
       call self%content%inject_from(fine%content, self%mesh%grid%row_ratio)
    end subroutine inject_from
 
+   !> Keep linear changes only: there is no further evaluation before `init`.
+   subroutine keep_changes(self)
+      class(equations_t), intent(inout) :: self
+      call self%flow%keep_changes()
+      deallocate (self%residual, self%scale)
+   end subroutine keep_changes
+
+   !> Free the scale where linear changes only are kept, until it is set again.
+   subroutine drop_scale(self)
+      class(equations_t), intent(inout) :: self
+      if (.not. allocated(self%residual)) deallocate (self%scale)
+   end subroutine drop_scale
+
    !> Scale at the state last evaluated, for wedge weights of any kind.
    subroutine set_scale(self, wedge)
       class(equations_t), intent(inout) :: self
       real(dp), intent(in) :: wedge(0:)   !! (0:nx) modulus of the weight of a node's own rho H
+      if (.not. allocated(self%scale)) call self%mesh%grid%new_field(self%scale)
       call reynolds_scale(self%mesh, wedge, self%self_influence, self%flow, self%scale)
    end subroutine set_scale
 

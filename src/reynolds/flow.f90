@@ -33,6 +33,7 @@ module ehlwave_flow
       procedure :: mobility
       procedure :: fall_along
       procedure :: inject_from
+      procedure :: keep_changes
       procedure :: film_work
    end type flow_t
 
@@ -75,7 +76,6 @@ contains
       type(grid_t), intent(in) :: coarse   !! this grid
 
       call inject(coarse, fine%p, self%p)
-      call inject(coarse, fine%f, self%f)
       call inject(coarse, fine%eps, self%eps)
       call inject(coarse, fine%f_p, self%f_p)
       call inject(coarse, fine%rho, self%rho)
@@ -87,6 +87,12 @@ contains
       call self%along_x%join_x(fine%along_x, coarse%row_ratio)
       if (.not. coarse%is_line) call self%along_y%join_y(fine%along_y)
    end subroutine inject_from
+
+   !> Free all that an evaluation needs and linear changes do not.
+   subroutine keep_changes(self)
+      class(flow_t), intent(inout) :: self
+      deallocate (self%h, self%drho, self%fluidity, self%dln_eta, self%f)
+   end subroutine keep_changes
 
    !> Coefficients at pressure p and film h.
    subroutine evaluate(self, rheology, lambdabar, p, h, heat)

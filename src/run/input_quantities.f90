@@ -11,6 +11,7 @@ module ehlwave_input_quantities
    use ehlwave_effects_plan, only: error_help, error_name
    use ehlwave_error_account, only: validity_text
    use ehlwave_formula, only: moes_film_formula
+   use ehlwave_identity_index, only: identity_length
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
@@ -22,17 +23,24 @@ module ehlwave_input_quantities
 contains
 
    !> Quantities of the input.
-   subroutine add_case(list, case, keys, plan)
+   subroutine add_case(list, case, keys, plan, identity)
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case
       type(key_list_t), intent(in) :: keys      !! keys of the case
       type(case_plan_t), intent(in) :: plan
+      character(len=*), intent(in), optional :: identity   !! identity of the case, if at hand
       character(len=19), parameter :: of_waves(3) = [character(len=19) :: 'orientation', 'wavelength_x_over_a', &
                                                      'wavelength_y_over_a']
+      character(len=identity_length) :: own
       integer :: i, n
 
+      if (present(identity)) then
+         own = identity
+      else
+         own = input_identity(input_text(keys))
+      end if
       associate (c => plan%conditions)
-         call list%add('case_id', 'identity of the effective input', input_identity(input_text(keys)))
+         call list%add('case_id', 'identity of the effective input', own)
          call list%add('load_parameter_m', 'Moes load parameter M', c%m)
          call list%add('lubricant_parameter_l', 'Moes lubricant parameter L', c%l)
          call list%add('radius_ratio_d', 'D = Rx/Ry', c%d)

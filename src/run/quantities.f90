@@ -6,7 +6,7 @@
 !> `input_quantities` and `wave_quantities` have their parts of the table.
 module ehlwave_quantities
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: list_case_keys
    use ehlwave_case_result, only: case_result_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_effect_result, only: after_film, after_friction, after_waves
@@ -15,6 +15,7 @@ module ehlwave_quantities
    use ehlwave_error_account, only: validity_text
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_input_quantities, only: add_case, add_formulas, add_lengths
+   use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
@@ -31,15 +32,20 @@ module ehlwave_quantities
 contains
 
    !> Quantities of the input and of the result.
-   subroutine add_result(list, case, plan, result)
+   subroutine add_result(list, case, plan, result, identity)
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
+      character(len=*), intent(in), optional :: identity   !! identity of the case, if at hand
+      type(key_list_t), save :: keys
 
       call list%add('status', 'outcome', status_name(result%status))
       call list%add('message', 'why a case did not converge or is not resolved', result%message)
-      if (.not. list%has_errors_only) call add_case(list, case, case_key_list(case), plan)
+      if (.not. list%has_errors_only) then
+         call list_case_keys(case, keys)
+         call add_case(list, case, keys, plan, identity)
+      end if
       call list%add('is_resolved', '1 when the grid resolves the case', result%is_resolved)
       call add_smooth_film(list, plan, result)
       call result%effects%add_quantities(after_film, list, case, plan)

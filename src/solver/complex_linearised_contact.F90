@@ -1,6 +1,7 @@
 #define SCALAR complex(dp)
 !> A contact linearised about its steady state, for changes that vary as exp(-i w T): the system of a small wave.
 module ehlwave_complex_linearised_contact
+   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_loc
    use ehlwave_complex_band, only: band_t, new_band
    use ehlwave_complex_gmres, only: linear_system_t
    use ehlwave_complex_ilu, only: ilu_t, new_ilu
@@ -35,22 +36,28 @@ module ehlwave_complex_linearised_contact
 #include "contact_transposed.inc"
 
    !> Deformation under a change of pressure, real then imaginary part. A field without imaginary part (w = 0) costs
-   !> a single convolution, any other two.
+   !> a single convolution, any other two. `guess` serves as work space.
    subroutine deform(level, q, d, in_single)
       type(linear_level_t), intent(inout) :: level
       complex(dp), intent(in), contiguous :: q(0:, 0:)
       complex(dp), intent(out), contiguous :: d(0:, 0:)
       logical, intent(in) :: in_single
-      real(dp), allocatable :: part(:, :), film(:, :)
+      complex(dp), allocatable, target :: storage(:, :)
+      real(dp), pointer, contiguous :: parts(:, :, :)
 
-      allocate (part(0:ubound(q, 1), 0:ubound(q, 2)), film(0:ubound(q, 1), 0:ubound(q, 2)))
-      part = real(q, dp)
-      call level%deformation%deform(part, film, in_single)
-      d = film
-      part = aimag(q)
-      if (.not. any(abs(part) > 0)) return
-      call level%deformation%deform(part, film, in_single)
-      d = d + cmplx(0, film, dp)
+      call move_alloc(level%guess, storage)
+      call c_f_pointer(c_loc(storage), parts, [shape(q), 2])
+      associate (part => parts(:, :, 1), film => parts(:, :, 2))
+         part = real(q, dp)
+         call level%deformation%deform(part, film, in_single)
+         d = film
+         part = aimag(q)
+         if (any(abs(part) > 0)) then
+            call level%deformation%deform(part, film, in_single)
+            d = d + cmplx(0, film, dp)
+         end if
+      end associate
+      call move_alloc(storage, level%guess)
    end subroutine deform
 
 end module ehlwave_complex_linearised_contact

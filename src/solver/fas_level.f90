@@ -90,7 +90,7 @@ contains
          call problem%deformation%apply(state%p, rough)
          !$omp parallel do schedule(static) if (is_shared(size(rough)))
          do j = 0, grid%ny
-            rough(:, j) = state%h(:, j) + state%delta - problem%smooth_gap(:, j) - rough(:, j)
+            rough(:, j) = state%h(:, j) + state%delta - problem%smooth_gap(j) - rough(:, j)
          end do
          call given%set_rough(rough)
          given%edge_rough = problem%edges%rough_from(fine%equations%edges, fine_given, grid%row_ratio)

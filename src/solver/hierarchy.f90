@@ -33,6 +33,7 @@ module ehlwave_hierarchy
    !> to its place in memory: do not copy a hierarchy.
    type, public :: hierarchy_t
       type(level_t), allocatable :: levels(:)   !! level 1 is the coarsest
+      character(len=4), private :: deformation = ''
    contains
       procedure :: build
       procedure :: set_conditions
@@ -58,24 +59,35 @@ contains
       end do
    end function level_count
 
-   !> All levels down from the finest grid.
+   !> All levels down from the finest grid. The deformations of former levels serve on the same grids.
    subroutine build(self, conditions, rheology, finest, deformation)
       class(hierarchy_t), intent(inout) :: self
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
       type(grid_t), intent(in) :: finest
       character(len=*), intent(in) :: deformation   !! 'fft' or 'mlmi'
+      type(level_t), allocatable :: former(:)
       type(grid_t) :: grid
       integer :: l, n
 
       if (checks) call assert(any(deformation == ['fft ', 'mlmi']), 'hierarchy%build: deformation is fft or mlmi')
       n = level_count(finest)
-      if (allocated(self%levels)) deallocate (self%levels)
+      call move_alloc(self%levels, former)
       allocate (self%levels(n))
+      if (allocated(former)) then
+         do l = 1, merge(n, 0, n == size(former) .and. deformation == self%deformation .and. &
+                         (finest%is_line .eqv. former(1)%problem%grid%is_line))
+            call move_alloc(former(l)%problem%deformation, self%levels(l)%problem%deformation)
+            self%levels(l)%problem%deformation%work = 0
+         end do
+         deallocate (former)
+      end if
+      self%deformation = deformation
       grid = finest
       do l = n, 1, -1
          associate (level => self%levels(l))
-            if (deformation == 'mlmi') allocate (deformation_mlmi_t :: level%problem%deformation)
+            if (deformation == 'mlmi' .and. .not. allocated(level%problem%deformation)) &
+               allocate (deformation_mlmi_t :: level%problem%deformation)
             call level%problem%init(grid, conditions, rheology)
             level%given = steady_given(grid)
             level%state = new_state(grid)

@@ -58,7 +58,9 @@ contains
          if (allocated(problem%heat)) deallocate (problem%heat)
          if (allocated(whole%heat)) problem%heat = whole%heat%part(first, last)
          call problem%deformation%apply(patch%state%p, patch%state%h)
-         problem%smooth_gap = state%h(first(1):last(1), first(2):last(2)) + state%delta - patch%state%h
+         if (allocated(problem%own_gap)) deallocate (problem%own_gap)
+         allocate (problem%own_gap(0:grid%nx, 0:grid%ny), &
+                   source=state%h(first(1):last(1), first(2):last(2)) + state%delta - patch%state%h)
          patch%given%load = held_approach(state%delta, grid%integral(patch%state%p))
          transport%cells_per_step = from%cells_per_step
          transport%steps_per_cell = from%steps_per_cell

@@ -45,6 +45,7 @@ module ehlwave_store
       type(record_writer_t), private :: log
       logical, private :: is_open = .false.
       character(len=:), allocatable, private :: columns, base_input
+      type(quantity_list_t), private :: last   ! record that has the columns
    contains
       procedure :: header
       procedure :: note_list
@@ -94,7 +95,6 @@ contains
       call self%log%create(self%folder//'/'//records_name//'/'//log_name(self%run, self%rank), error)
       call self%write_header(error)
       self%is_open = .not. allocated(error)
-      self%columns = ''
    end subroutine open_log
 
    subroutine write_header(self, error)
@@ -154,7 +154,6 @@ contains
       type(quantity_list_t), intent(inout) :: record   !! result of the case; the effective input is added
       character(len=*), intent(in) :: input      !! effective input
       type(error_t), allocatable, intent(inout) :: error
-      character(len=:), allocatable :: columns
       logical :: is_first
 
       call self%open_log(error)
@@ -164,15 +163,17 @@ contains
       if (allocated(error)) return
       if (is_first) self%base_input = input
       call record%add('effective_input', 'how the effective input differs', text_difference(self%base_input, input))
-      columns = json_columns(record)
-      if (columns /= self%columns) call self%log%append('columns '//columns, error)
-      if (.not. allocated(error)) self%columns = columns
-      call self%log%append('case '//json_values(record)//' '//checksum(columns), error)
+      if (.not. record%is_like(self%last)) then
+         self%columns = json_columns(record)
+         call self%log%append('columns '//self%columns, error)
+         if (.not. allocated(error)) self%last = record
+      end if
+      call self%log%append('case '//json_values(record)//' '//checksum(self%columns), error)
       call self%log%announce('')
       if (.not. is_first) return
       if (.not. allocated(error)) call self%write_header(error)
       call self%log%append('input ['//string_json(input)//']', error)
-      call self%log%append('columns '//columns, error)
+      call self%log%append('columns '//self%columns, error)
    end subroutine keep
 
    !> Synchronise the log with the disk, at most for a small share of the time.

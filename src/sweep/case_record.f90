@@ -12,24 +12,26 @@ module ehlwave_case_record
    use ehlwave_store, only: store_t
    implicit none (type, external)
    private
-   public :: case_record, store_result
+   public :: make_record, store_result
 
 contains
 
    !> The quantities of a record.
-   function case_record(case, plan, result, store, started, finished) result(list)
+   subroutine make_record(case, plan, identity, result, store, started, finished, list)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
+      character(len=*), intent(in) :: identity
       type(case_result_t), intent(in) :: result
       class(store_t), intent(in) :: store          !! store of the present rank
       character(len=*), intent(in) :: started, finished
-      type(quantity_list_t) :: list
-      call add_result(list, case, plan, result)
+      type(quantity_list_t), intent(inout) :: list   !! may be that of another case: its memory serves again
+      list%count = 0
+      call add_result(list, case, plan, result, identity)
       call list%add('host', 'machine the case ran on', trim(store%host))
       call list%add('rank', 'MPI rank the case ran on, -1: not run', store%rank)
       call list%add('started', 'local time', trim(started))
       call list%add('finished', 'local time', trim(finished))
-   end function case_record
+   end subroutine make_record
 
    !> Store a case that is done: all that its report offers, and where and when it ran.
    subroutine store_result(case, plan, input, result, started, store, error)
@@ -40,10 +42,10 @@ contains
       character(len=*), intent(in) :: started
       class(store_t), intent(inout) :: store
       type(error_t), allocatable, intent(inout) :: error
-      type(quantity_list_t) :: record
+      type(quantity_list_t), save :: record
 
       if (case%fields) call write_case_file(store%fields_path(input_identity(input)), case, plan, result, error)
-      record = case_record(case, plan, result, store, started, time_stamp())
+      call make_record(case, plan, input_identity(input), result, store, started, time_stamp(), record)
       call store%keep(record, input, error)
    end subroutine store_result
 

@@ -2,7 +2,7 @@
 module ehlwave_case_table
    use ehlwave_case_input, only: case_input_t, read_keys
    use ehlwave_case_key, only: is_same, most_keys
-   use ehlwave_case_keys, only: case_key_list, case_values
+   use ehlwave_case_keys, only: case_key_list, case_values, default_keys
    use ehlwave_case_row, only: find_columns, set_row
    use ehlwave_csv, only: csv_t, read_csv
    use ehlwave_errors, only: error_t, raise
@@ -52,7 +52,7 @@ contains
       is_old = sweep%defaults == 0
       if (is_old) base%case%edges = edges_of_old_stores
       call base%read(file, error)
-      table = case_key_list()
+      table = default_keys()
       call read_lists(file, table, lists, error)
       call file%check_all_used(error)
       if (allocated(error)) return

@@ -9,9 +9,11 @@ module ehlwave_messages
    use ehlwave_case_file, only: case_from_text
    use ehlwave_case_files, only: case_file_t, file_changed_since, file_digests
    use ehlwave_case_plan, only: make_plan
-   use ehlwave_outcome, only: outcome_t
-   use ehlwave_case_text, only: effective_input
+   use ehlwave_case_keys, only: list_case_keys
+   use ehlwave_case_text, only: input_text
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_key_list, only: key_list_t
+   use ehlwave_outcome, only: outcome_t
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_text, only: to_text
    use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_character, mpi_comm, mpi_get_count, mpi_iprobe, &
@@ -95,16 +97,17 @@ contains
    end subroutine outbox_init
 
    !> Rank 0: answer a request. Returns at once.
-   subroutine send_case(self, rank, number, case, files)
+   subroutine send_case(self, rank, number, input, has_fields, files)
       class(outbox_t), intent(inout) :: self
       integer, intent(in) :: rank, number
-      type(case_t), intent(in), optional :: case            !! absent: there is none
+      character(len=*), intent(in), optional :: input       !! effective input of the case; absent: there is none
+      logical, intent(in), optional :: has_fields           !! its fields are kept
       type(case_file_t), intent(in), optional :: files(:)   !! files of its plan
       character(len=:), allocatable :: text
 
       text = repeat(' ', number_digits)
       write (text, '(i12)') number
-      if (present(case)) text = text//merge('T', 'F', case%fields)//effective_input(case)//file_digests(files)
+      if (present(input)) text = text//merge('T', 'F', has_fields)//input//file_digests(files)
       call self%post(rank, tag_case, text)
    end subroutine send_case
 
@@ -153,6 +156,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(mpi_status) :: status
       character(len=:), allocatable :: text
+      type(key_list_t), save :: keys
       integer :: changed, input_end, length
 
       call mpi_probe(0, tag_case, comm, status)
@@ -164,7 +168,10 @@ contains
       input_end = index(text, new_line('a'), back=.true.)
       input = text(number_digits + 2:input_end)
       call case_from_text(input, case, error)
-      if (.not. allocated(error)) call make_plan(case, plan, error)
+      if (.not. allocated(error)) then
+         call list_case_keys(case, keys)
+         call make_plan(case, plan, error, keys=keys)
+      end if
       case%fields = text(number_digits + 1:number_digits + 1) == 'T'
       if (allocated(error)) return
       changed = file_changed_since(plan%files, text(input_end + 1:))
@@ -172,7 +179,7 @@ contains
          call raise(error, plan%files(changed)%key//" = '"//plan%files(changed)%path// &
             "' was changed while the sweep was at work (--retry files runs cases once more that were stored with "// &
             'other numbers)')
-      else if (effective_input(case) /= input) then
+      else if (input_text(keys) /= input) then
          call raise(error, 'case '//to_text(number)//' arrived with another input')
       end if
    end subroutine receive_case

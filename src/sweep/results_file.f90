@@ -4,9 +4,8 @@
 !> named here. The others come from the table of quantities and the records.
 module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
-   use ehlwave_case_keys, only: case_key_list
-   use ehlwave_case_record, only: case_record
-   use ehlwave_case_text, only: input_text
+   use ehlwave_case_keys, only: list_case_keys
+   use ehlwave_case_record, only: make_record
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
@@ -48,8 +47,8 @@ contains
       integer :: i, layout, n
 
       n = size(sweep%cases)
-      table = case_record(sweep%cases(1), sweep%plans(1), blank_result(sweep%cases(1), sweep%plans(1)), no_store, '', &
-         '')
+      call make_record(sweep%cases(1), sweep%plans(1), sweep%identity(1), &
+                       blank_result(sweep%cases(1), sweep%plans(1)), no_store, '', '', table)
       call add_layout(json_columns(table), contents, layout)
       do i = 1, n
          place(i) = contents%index%find(sweep%identity(i))
@@ -121,18 +120,18 @@ contains
       type(sweep_t), intent(in) :: sweep
       integer, intent(in) :: case
       type(quantity_list_t) :: row
-      type(key_list_t) :: keys
+      type(key_list_t), save :: keys
       integer :: i
 
-      keys = case_key_list(sweep%cases(case))
-      call add_case(row, sweep%cases(case), keys, sweep%plans(case))
+      call list_case_keys(sweep%cases(case), keys)
+      call add_case(row, sweep%cases(case), keys, sweep%plans(case), sweep%identity(case))
       do i = 1, keys%count
          associate (name => keys%keys(i)%name)
-            if (row%find(trim(name)) > 0) cycle
-            if (any(always_shown == name) .or. sweep%varies(i)) call add_key(row, keys, trim(name))
+            if (.not. (any(always_shown == name) .or. sweep%varies(i))) cycle
+            if (row%find(trim(name)) == 0) call add_key(row, keys, trim(name))
          end associate
       end do
-      call row%add('effective_input', 'case file that reproduces the case', input_text(keys))
+      call row%add('effective_input', 'case file that reproduces the case', sweep%input(case))
    end function input_row
 
    !> Every column of the records that the file has not yet, described as in the table of quantities.

@@ -6,7 +6,6 @@
 module ehlwave_scheduler
    use ehlwave_case_definition, only: case_t
    use ehlwave_outcome, only: outcome_t
-   use ehlwave_case_text, only: effective_input
    use ehlwave_case_work, only: case_procedure, case_watch_t, work_on_case
    use ehlwave_errors, only: error_t
    use ehlwave_messages, only: ask, is_waiting, next_message, no_case, outbox_t, receive_case, receive_outcome, &
@@ -93,7 +92,7 @@ contains
          call leader%queue%take(0, case)
          call answer_put_off(leader)
          call work_on_case(run, leader%sweep%cases(case), leader%sweep%plans(case), &
-                           effective_input(leader%sweep%cases(case)), leader, shared, outcome)
+                           leader%sweep%input(case), leader, shared, outcome)
          outcome%case = case
          call take_outcome(leader, outcome)
       end do
@@ -202,7 +201,8 @@ contains
       else
          call self%queue%take(rank, case)
          self%running = self%running + 1
-         call self%outbox%send_case(rank, case, self%sweep%cases(case), self%sweep%plans(case)%files)
+         call self%outbox%send_case(rank, case, self%sweep%input(case), self%sweep%cases(case)%fields, &
+                                    self%sweep%plans(case)%files)
       end if
    end subroutine answer
 

@@ -3,9 +3,9 @@ module ehlwave_sweep_cases
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: key_length, value_text
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: case_key_list, default_keys, list_case_keys
    use ehlwave_case_plan, only: make_plan
-   use ehlwave_case_text, only: case_identity
+   use ehlwave_case_text, only: input_identity, input_text
    use ehlwave_errors, only: error_t, raise
    use ehlwave_identity_index, only: identity_index_t, identity_length
    use ehlwave_input_completion, only: complete_input
@@ -14,6 +14,7 @@ module ehlwave_sweep_cases
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_store_names, only: newest_defaults
    use ehlwave_text, only: to_text
+   use ehlwave_text_difference, only: text_difference, text_from_difference
    implicit none (type, external)
    private
    public :: refuse_too_many
@@ -30,6 +31,10 @@ module ehlwave_sweep_cases
       integer :: threads = 0                  !! threads of a rank; 0: the cores it owns
    end type case_limits_t
 
+   type :: text_t
+      character(len=:), allocatable :: text
+   end type text_t
+
    type, public :: sweep_t
       character(len=:), allocatable :: output      !! results file
       type(case_t), allocatable :: cases(:)        !! completed, no two alike
@@ -43,6 +48,8 @@ module ehlwave_sweep_cases
                                                    !! none
       character(len=:), allocatable :: notice      !! notices for the user about the sweep file, lines
       type(identity_index_t) :: index              !! from identity to number of the case
+      character(len=:), allocatable, private :: base_input   ! effective input of the first case,
+      type(text_t), allocatable, private :: unlike(:)        ! how each differs from it
       ! Keys without a column of their own in plans and reports
       integer, allocatable, private :: told(:)
       logical, private :: skips_unresolved = .false.
@@ -50,6 +57,8 @@ module ehlwave_sweep_cases
       procedure :: begin
       procedure :: vary
       procedure :: add
+      procedure :: keep
+      procedure :: input => effective_input
       procedure :: varies
       procedure :: variation
       procedure :: finish
@@ -75,7 +84,7 @@ contains
       class(sweep_t), intent(inout) :: self
       integer, intent(in) :: most                  !! cases that can be added
       logical, intent(in) :: skips_unresolved
-      allocate (self%cases(most), self%plans(most), self%identity(most))
+      allocate (self%cases(most), self%plans(most), self%identity(most), self%unlike(most))
       self%skips_unresolved = skips_unresolved
    end subroutine begin
 
@@ -87,6 +96,7 @@ contains
          self%cases = self%cases(:n)
          self%plans = self%plans(:n)
          self%identity = self%identity(:n)
+         self%unlike = self%unlike(:n)
       end associate
    end subroutine finish
 
@@ -98,7 +108,7 @@ contains
       type(key_list_t) :: list
       integer :: i, wavelength
 
-      list = case_key_list()
+      list = default_keys()
       wavelength = find_key(list%keys, 'wavelength_over_a')
       self%varied = pack([(i, i=1, list%count)], &
          [(any(keys == i) .or. (has_f_v .and. i == wavelength), i=1, list%count)])
@@ -143,12 +153,12 @@ contains
       character(len=*), intent(in) :: place        !! begins every message
       type(error_t), allocatable, intent(inout) :: error
       type(case_plan_t) :: plan
-      character(len=identity_length) :: identity
-      integer :: before, i
+      type(key_list_t), save :: keys
 
       if (.not. allocated(error)) call complete_input(input, table, place, error)
       if (allocated(error)) return
-      call make_plan(input%case, plan, error)
+      call list_case_keys(input%case, keys)
+      call make_plan(input%case, plan, error, keys=keys)
       if (allocated(error)) then
          error%message = place//error%message
          return
@@ -157,13 +167,35 @@ contains
          self%skipped = self%skipped + 1
          return
       end if
-      identity = case_identity(input%case)
+      call self%keep(input%case, plan, input_text(keys))
+   end subroutine add
+
+   !> Take a case and its plan unless it is there already.
+   subroutine keep(self, case, plan, input)
+      class(sweep_t), intent(inout) :: self
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      character(len=*), intent(in) :: input        !! effective input of the case
+      character(len=identity_length) :: identity
+      integer :: before, i
+
+      identity = input_identity(input)
       before = self%index%count
       call self%index%add(identity, i)
       if (i <= before) return
-      self%cases(i) = input%case
+      self%cases(i) = case
       self%plans(i) = plan
       self%identity(i) = identity
-   end subroutine add
+      if (i == 1) self%base_input = input
+      self%unlike(i)%text = text_difference(self%base_input, input)
+   end subroutine keep
+
+   !> Effective input of a case.
+   function effective_input(self, case) result(text)
+      class(sweep_t), intent(in) :: self
+      integer, intent(in) :: case
+      character(len=:), allocatable :: text
+      text = text_from_difference(self%base_input, self%unlike(case)%text)
+   end function effective_input
 
 end module ehlwave_sweep_cases

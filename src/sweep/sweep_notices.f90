@@ -1,7 +1,6 @@
 !> Notices about a store that a sweep goes on with.
 module ehlwave_sweep_notices
    use, intrinsic :: iso_fortran_env, only: output_unit
-   use ehlwave_case_text, only: effective_input
    use ehlwave_store_contents, only: contents_t, this_build
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_terminal, only: say
@@ -54,7 +53,7 @@ contains
       character(len=:), allocatable :: earlier, now
       integer :: first, last, log
 
-      now = settings_of(effective_input(sweep%cases(1)))
+      now = settings_of(sweep%input(1))
       do log = size(contents%logs), 1, -1
          if (.not. allocated(contents%logs(log)%base_input)) cycle
          earlier = settings_of(contents%logs(log)%base_input)

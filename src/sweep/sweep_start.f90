@@ -4,7 +4,6 @@ module ehlwave_sweep_start
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_record, only: store_result
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_text, only: effective_input
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t, raise
    use ehlwave_json_reader, only: json_string
@@ -115,7 +114,7 @@ contains
          result = blank_result(sweep%cases(case), sweep%plans(case))
          result%status = status_crashed
          result%message = 'its process died in '//to_text(deaths)//' runs; --retry failed tries it again'
-         call store_result(sweep%cases(case), sweep%plans(case), effective_input(sweep%cases(case)), result, &
+         call store_result(sweep%cases(case), sweep%plans(case), sweep%input(case), result, &
                            time_stamp(), store, error)
          to_run(case) = .false.
          status(case) = status_crashed

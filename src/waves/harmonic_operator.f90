@@ -5,6 +5,7 @@ module ehlwave_harmonic_operator
    use ehlwave_given, only: given_t, steady_given
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
+   use ehlwave_memory, only: many_nodes, return_memory
    use ehlwave_state, only: state_t
    use ehlwave_transport, only: harmonic_wedge
    use ehlwave_two_waves, only: wave_medium_t
@@ -52,6 +53,10 @@ contains
             call equations%evaluate(problem, given, state)
          end associate
       end do
+      do l = 1, n
+         call self%linear%levels(l)%equations%keep_changes()
+      end do
+      if (self%linear%n > many_nodes) call return_memory()
    end subroutine init
 
    !> Whether a coarser level has a solution of the same case that resolves it. Levels of a heavy load do not: M =

@@ -107,9 +107,9 @@ contains
    subroutine respond_to(self, levels, b, response)
       class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! levels of `init`
-      complex(dp), intent(in), contiguous :: b(:)         !! weighted change of the residuals, 0 at cavitated nodes
+      !> Weighted change of the residuals, 0 at cavitated nodes; on return the change of P and Delta, unless it is real.
+      complex(dp), intent(inout), contiguous, target :: b(:)
       type(harmonic_response_t), intent(out) :: response
-      complex(dp), allocatable, target :: x(:)
       complex(dp), pointer, contiguous :: q(:, :)
 
       if (checks) call assert(size(b) == self%linear%n .and. self%tolerance > 0, &
@@ -119,9 +119,8 @@ contains
             call respond_really(self, levels, real(b, dp), response)
             return
          end if
-         allocate (x(linear%n))
          call linear%borrow(levels)
-         call self%gmres%solve(linear, b, x, self%tolerance)
+         call self%gmres%solve_in_place(linear, b, self%tolerance)
          response%linear_steps = self%gmres%steps
          response%reduction = self%gmres%reduction
          if (self%gmres%steps == 0) then
@@ -129,10 +128,9 @@ contains
          else if (self%gmres%reduction <= self%tolerance) then
             response%status = status_converged
          end if
-         q(0:grid%nx, 0:grid%ny) => x(:linear%n - 1)
+         q(0:grid%nx, 0:grid%ny) => b(:linear%n - 1)
          allocate (response%p(0:grid%nx, 0:grid%ny), source=q)
-         response%approach = x(linear%n)
-         deallocate (x)
+         response%approach = b(linear%n)
          allocate (response%h(0:grid%nx, 0:grid%ny))
          call linear%film_change(response%p, response%approach, response%h)
          call linear%release()

@@ -66,11 +66,13 @@ end module synthetic_case
 program synthetic_sweep
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_case_completion, only: complete_case
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: make_plan
-   use ehlwave_case_text, only: case_identity
+   use ehlwave_case_text, only: effective_input
    use ehlwave_clock, only: wall_seconds
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_process, only: end_program
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_job, only: run_job
@@ -122,22 +124,22 @@ contains
 
    subroutine make_cases()
       character(len=12), parameter :: orientations(3) = [character(len=12) :: 'transverse', 'isotropic', 'longitudinal']
+      type(case_t) :: case
+      type(case_plan_t) :: plan
       type(error_t), allocatable :: error
       integer :: i
-      allocate (sweep%cases(cases), sweep%plans(cases), sweep%identity(cases))
+      call sweep%begin(cases, skips_unresolved=.false.)
       do i = 1, cases
-         associate (case => sweep%cases(i))
-            case%load_parameter_m = 50 + 0.01_dp*i
-            case%lubricant_parameter_l = 12.05_dp
-            case%radius_ratio_d = 1
-            case%orientation = orientations(1 + modulo(i, 3))
-            case%wavelength_over_a = 0.5_dp + 0.25_dp*modulo(i, 11)
-            call complete_case(case, 'synthetic', error)
-            if (.not. allocated(error)) call make_plan(case, sweep%plans(i), error)
-            if (allocated(error)) stop 1
-            sweep%identity(i) = case_identity(case)
-            call sweep%index%add(sweep%identity(i), io)
-         end associate
+         case = case_t()
+         case%load_parameter_m = 50 + 0.01_dp*i
+         case%lubricant_parameter_l = 12.05_dp
+         case%radius_ratio_d = 1
+         case%orientation = orientations(1 + modulo(i, 3))
+         case%wavelength_over_a = 0.5_dp + 0.25_dp*modulo(i, 11)
+         call complete_case(case, 'synthetic', error)
+         if (.not. allocated(error)) call make_plan(case, plan, error)
+         if (allocated(error)) stop 1
+         call sweep%keep(case, plan, effective_input(case))
       end do
       mean_cost = sum(sweep%plans%cost)/cases
    end subroutine make_cases

@@ -116,7 +116,7 @@ class Memory(Ends):
         few = limited("RLIMIT_AS", 300*MIB)
         plan = self.call(CASE, "case.nml", "--plan", before=few)
         self.check_status(plan)
-        self.assertRegex(plan.stdout, r"TOO LITTLE MEMORY: the case needs about 7\d\d MiB .* this process can have 2\d\d MiB")
+        self.assertRegex(plan.stdout, r"TOO LITTLE MEMORY: the case needs about 6\d\d MiB .* this process can have 2\d\d MiB")
         self.assertNotIn("TOO LITTLE", self.call(CASE, "case.nml", "--plan").stdout)
         run = self.call(CASE, "case.nml", "--output", "out.h5", before=few)
         self.assertEqual(run.returncode, NO_MEMORY)

@@ -7,7 +7,7 @@ program test_case_bounds
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: choice_length, key_value_t, number_kind, truth_kind, value_text, whole_kind, words_of
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: default_keys
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_text, only: effective_input
    use ehlwave_errors, only: error_t
@@ -26,7 +26,7 @@ program test_case_bounds
    integer :: accepted, apart, b, k, refused
 
    call ieee_set_halting_mode(ieee_usual, .false.)   ! large values overflow, which debug builds are to refuse, too
-   table = case_key_list()
+   table = default_keys()
    accepted = 0
    refused = 0
    apart = merge(1, size(bases), is_long())

@@ -1,6 +1,7 @@
 !> The files that a case reads: tables of numbers, the list of files, their digests.
 program test_case_files
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_files, only: case_file_t, case_files, file_changed_since, file_digests, note_digest, paths_read
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
@@ -72,10 +73,10 @@ contains
       character(len=:), allocatable :: before, paths(:)
       integer :: i, surface
 
-      allocate (files, source=case_files(case))
+      allocate (files, source=case_files(case_key_list(case)))
       call test%check(all([(files(i)%path == '', i=1, size(files))]), 'the usual case reads none')
       case%surface_file = 's.h5'
-      files = case_files(case)
+      files = case_files(case_key_list(case))
       surface = findloc(files%name == 'surface', .true., 1)
       call test%check(surface > 0, 'a measured surface is a file')
       if (surface == 0) return

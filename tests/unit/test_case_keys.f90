@@ -5,7 +5,7 @@ program test_case_keys
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: key_length, key_t, key_value_t, most_keys, number_kind, truth_kind, value_text, whole_kind, &
       word_kind, words_of
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: case_key_list, default_keys
    use ehlwave_case_row, only: find_columns, set_row
    use ehlwave_csv, only: cell_length, csv_t, parse_csv
    use ehlwave_errors, only: error_t
@@ -23,7 +23,7 @@ program test_case_keys
    type(key_list_t) :: table
    integer :: k
 
-   table = case_key_list()
+   table = default_keys()
    call check_table()
    do k = 1, table%count
       call check_key(table%keys(k), table%values(k))

@@ -3,7 +3,7 @@ program test_case_text
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: read_case
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: default_keys
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_text, only: case_identity, effective_input, input_identity, input_text
    use ehlwave_errors, only: error_t
@@ -165,7 +165,7 @@ contains
       type(key_list_t) :: list
       integer :: slip
 
-      list = case_key_list()
+      list = default_keys()
       slip = find_key(list%keys, 'slip_parameter')
       list%keys(slip)%is_late = .true.
       list%keys%is_written = list%keys%name == 'slip_parameter'

@@ -4,7 +4,7 @@ program test_sweep_results
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: most_keys
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: default_keys
    use ehlwave_case_record, only: store_result
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: effective_input, input_identity
@@ -52,7 +52,7 @@ contains
       type(error_t), allocatable :: error
       logical :: is_moes(most_keys)
       integer :: i
-      keys = case_key_list()
+      keys = default_keys()
       is_moes = .false.
       is_moes(:keys%count) = [(any(keys%keys(i)%name == [character(len=21) :: 'load_parameter_m', 'lubricant_parameter_l', &
                                                          'radius_ratio_d']), i=1, keys%count)]

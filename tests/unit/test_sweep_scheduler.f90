@@ -77,7 +77,7 @@ end module planned_case
 program test_sweep_scheduler
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: most_keys
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: default_keys
    use ehlwave_case_text, only: input_identity
    use ehlwave_errors, only: error_t
    use ehlwave_json_reader, only: json_number
@@ -121,7 +121,7 @@ contains
       logical :: is_moes(most_keys)
       integer :: i
 
-      keys = case_key_list()
+      keys = default_keys()
       is_moes = .false.
       is_moes(:keys%count) = [(any(keys%keys(i)%name == [character(len=21) :: 'load_parameter_m', &
                                                          'lubricant_parameter_l', 'radius_ratio_d']), &

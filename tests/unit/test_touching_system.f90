@@ -240,7 +240,7 @@ contains
                            make_rheology(conditions))
       end if
       given = steady_given(problem%grid)
-      call hertz_state(problem, 0.2_dp, 0*problem%smooth_gap, state)
+      call hertz_state(problem, 0.2_dp, spread(0*problem%grid%x, 2, problem%grid%ny + 1), state)
       law%film = 0.1_dp
       associate (grid => problem%grid)
          do j = grid%first_row, grid%last_row

@@ -112,7 +112,8 @@ contains
          ax = [reshape(dr, [size(dr)]), (0.1_dp, 0.3_dp)]
          solver%tolerance = 1e-8_dp
          work = work_of(levels)
-         call solver%respond_to(levels, ax, response)
+         x = ax
+         call solver%respond_to(levels, x, response)
          work = work_of(levels) - work
          call levels(2)%problem%grid%new_field(centre)
          centre(24, ubound(centre, 2)/2) = 1

@@ -99,6 +99,7 @@ contains
       type(equations_t) :: equations
       real(dp), allocatable :: h(:, :), r(:, :)
       real(dp) :: unit
+      integer :: j
 
       associate (grid => problem%grid, elliptic => problem%conditions%elliptic)
          call test%check_close(3/(2*pi)*grid%integral(state%p), 1.0_dp, name//': load', absolute=limits%tolerance)
@@ -107,7 +108,9 @@ contains
          allocate (h, r, mold=state%h)
          call deformation%init(grid, elliptic%kappa, elliptic%k)
          call deformation%apply(state%p, h)
-         h = h + problem%smooth_gap - state%delta
+         do j = 0, grid%ny
+            h(:, j) = h(:, j) + problem%smooth_gap(j) - state%delta
+         end do
          call test%check_close(maxval(abs(h - state%h)), 0.0_dp, name//': film', absolute=1e-12_dp)
          call equations%init(problem)
          call equations%evaluate(problem, steady_given(grid), state_t(state%p, h, state%delta))
