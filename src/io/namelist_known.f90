@@ -27,10 +27,12 @@ contains
       class(known_names_t), intent(inout) :: self
       character(len=identity_length), intent(in) :: identity   !! identity of both, see `key_identity`
       character(len=*), intent(in) :: group, key
-      integer :: i
+      integer :: before, i
 
       if (.not. allocated(self%keys)) allocate (self%groups(usual_number), self%keys(usual_number))
+      before = self%index%count
       call self%index%add(identity, i)
+      if (i <= before) return
       if (i > size(self%keys)) then
          self%groups = [self%groups, self%groups]
          self%keys = [self%keys, self%keys]
@@ -58,17 +60,18 @@ contains
       class(known_names_t), intent(in) :: self
       character(len=name_length), intent(in) :: group, key   !! the group is known
       character(len=:), allocatable :: problem
-      integer :: i
+      integer :: i, known
 
       problem = ''
+      known = self%index%count
       if (self%index%find(key_identity(group, key)) > 0) return
-      do i = 1, self%index%count
+      do i = 1, known
          if (self%keys(i) == key) problem = problem//' or &'//trim(self%groups(i))
       end do
       if (problem /= '') then
          problem = 'it belongs to '//problem(5:)//', move it there'
       else
-         problem = advice(key, pack(self%keys(:i - 1), self%groups(:i - 1) == group), '', 'keys')
+         problem = advice(key, pack(self%keys(:known), self%groups(:known) == group), '', 'keys')
       end if
       problem = 'unknown key '''//trim(key)//''' in &'//trim(group)//': '//problem
    end function key_problem

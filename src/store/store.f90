@@ -95,6 +95,7 @@ contains
       call self%log%create(self%folder//'/'//records_name//'/'//log_name(self%run, self%rank), error)
       call self%write_header(error)
       self%is_open = .not. allocated(error)
+      self%last%count = 0                        ! each log names its columns
    end subroutine open_log
 
    subroutine write_header(self, error)
