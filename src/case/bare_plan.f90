@@ -93,7 +93,7 @@ contains
       class(bare_plan_t), intent(in) :: self
       wave_mesh_error = 0
       if (self%is_fitted .and. self%resolution%points_x > 0) &
-         wave_mesh_error = wave_x_factor*(self%surfaces%largest_slip()/self%resolution%points_x)**2
+         wave_mesh_error = wave_x_factor*(self%surfaces%largest_slip()/self%resolution%points_x)**4
    end function wave_mesh_error
 
    !> Relative error of Ad/Ai, or of a response, to expect by the mesh.

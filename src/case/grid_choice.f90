@@ -167,8 +167,9 @@ contains
          accurate_mesh = largest_mesh(conditions, left, ratio, pattern%moves)
       end if
       accurate_mesh = accurate_mesh/sqrt(steepness)
-      if (pattern%waves > 0 .and. is_fitted) &
-         accurate_mesh = 1/sqrt(1/accurate_mesh**2 + (pattern%slip*pattern%waves)**2*wave_x_factor/left)
+      if (pattern%waves > 0 .and. is_fitted) &   ! (hX/mesh)^2 + factor/points^4/left = 1
+         accurate_mesh = sqrt(2/(1/accurate_mesh**2 &
+            + sqrt(1/accurate_mesh**4 + 4*wave_x_factor/left*(pattern%slip*pattern%waves)**4)))
       if (.not. pattern%has_ratio) return
       if (case%response == 'harmonic') return
       room = room_of_proof()

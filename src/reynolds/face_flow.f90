@@ -32,6 +32,9 @@ module ehlwave_face_flow
       real(dp), allocatable :: own(:, :), cross(:, :)
       real(dp), allocatable :: by_p1(:, :), by_p2(:, :)
       real(dp), allocatable :: by_h1(:, :), by_h2(:, :)
+      ! Of fitted faces along X, see `ehlwave_raised_flux`: s and 1/(8 Hm), derivative by H of the next nodes but one
+      logical :: is_raised = .false.
+      real(dp), allocatable :: slope(:, :), thin(:, :), outer(:, :)
       real(dp) :: work = 0   !! operations of the last evaluation, see `ehlwave_work_unit`
    contains
       procedure :: evaluate_x
@@ -120,6 +123,7 @@ contains
       integer, intent(in) :: row_ratio           !! rows of `self` per row of the finer grid
       integer :: i, j
 
+      self%is_raised = .false.
       do j = 0, ubound(self%own, 2)
          do i = 0, ubound(self%own, 1) - 1
             call join(self, [i, j], fine, [2*i, row_ratio*j], [2*i + 1, row_ratio*j])

@@ -6,6 +6,7 @@ module ehlwave_flow
    use ehlwave_fitted_flux, only: fit_faces
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
+   use ehlwave_raised_flux, only: raise_order
    use ehlwave_real_transfer, only: inject
    use ehlwave_rheology, only: block_size, rheology_t
    use ehlwave_threads, only: is_shared
@@ -162,6 +163,7 @@ contains
       self%has_faces = .true.
       call self%along_x%evaluate_x(grid, kappa, film, self%node_oil_t, heat)
       call self%along_y%evaluate_y(grid, kappa, film, self%node_oil_t, heat)
+      if (grid%is_fitted) call raise_order(self%along_x, grid, self%h)
    end subroutine evaluate_faces
 
    !> Fitted fluxes of a Newtonian oil, after `evaluate`: theory eq. (D11).
@@ -172,6 +174,7 @@ contains
       call make_faces(self, grid)
       self%has_faces = .true.
       call fit_faces(grid, lambdabar, self%node_oil_t, self%along_x, self%along_y)
+      call raise_order(self%along_x, grid, self%h)
    end subroutine fit
 
    !> Whether stresses thin the oil so little that a preconditioner may use Newtonian linear changes. The measure is the

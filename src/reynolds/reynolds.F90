@@ -6,9 +6,11 @@
 !> fluxes of `ehlwave_face_flow`.
 module ehlwave_reynolds
    use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t
+   use ehlwave_face_flow, only: face_flow_t
    use ehlwave_flow, only: flow_t
    use ehlwave_kinds, only: dp
    use ehlwave_mesh, only: mesh_t
+   use ehlwave_raised_flux, only: curvature, raised_row, slope_change
    use ehlwave_real_wedge, only: wedge_t
    use ehlwave_threads, only: is_shared, row_block
    use ehlwave_transport, only: transport_t
@@ -98,6 +100,7 @@ contains
       if (flow%has_face_fluxes()) then
          if (shift == 1) then
             flux = flow%along_x%flux(:, j1)
+            if (flow%along_x%is_raised) flux = raised_row(flow%along_x, j1)
          else
             flux = (j2 - j1)*flow%along_y%flux(:, min(j1, j2))
          end if
@@ -115,6 +118,7 @@ contains
 #define COEFFICIENT_CHANGE real_coefficient_change
 #define FACE_CHANGE real_face_change
 #define GENERAL_CHANGE real_general_change
+#define RAISED_CHANGE real_raised_change
 #include "reynolds_change.inc"
 #undef SCALAR
 #undef WEDGE
@@ -123,6 +127,7 @@ contains
 #undef COEFFICIENT_CHANGE
 #undef FACE_CHANGE
 #undef GENERAL_CHANGE
+#undef RAISED_CHANGE
 
 #define SCALAR complex(dp)
 #define WEDGE complex_wedge_t
@@ -131,6 +136,7 @@ contains
 #define COEFFICIENT_CHANGE complex_coefficient_change
 #define FACE_CHANGE complex_face_change
 #define GENERAL_CHANGE complex_general_change
+#define RAISED_CHANGE complex_raised_change
 #include "reynolds_change.inc"
 
    !> Let a flow through faces follow a change of the state, linearly.
@@ -148,6 +154,8 @@ contains
       do j = mesh%grid%first_row, mesh%grid%last_row
          call real_general_change(mesh, flow, q, dh, [j], flux)
          flow%along_x%flux(:mesh%grid%nx - 1, j) = flow%along_x%flux(:mesh%grid%nx - 1, j) + flux(:mesh%grid%nx - 1)
+         if (flow%along_x%is_raised) flow%along_x%slope(:mesh%grid%nx - 1, j) = &
+            flow%along_x%slope(:mesh%grid%nx - 1, j) + slope_change(flow%along_x, j, dh(:, j))
       end do
       do j = 0, mesh%grid%ny - 1
          call real_general_change(mesh, flow, q, dh, [j, j + 1], flux)

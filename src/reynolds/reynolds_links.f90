@@ -7,6 +7,7 @@ module ehlwave_reynolds_links
    use ehlwave_flow, only: flow_t
    use ehlwave_kinds, only: dp
    use ehlwave_mesh, only: mesh_t
+   use ehlwave_raised_flux, only: curvature
    use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
@@ -62,14 +63,18 @@ contains
       end associate
    end subroutine poiseuille_links
 
-   !> Links of an oil that is not Newtonian, without the small flow through a face that a gradient along it drives.
+   !> Links of an oil that is not Newtonian, without the small flow through a face that a gradient along it drives. Of a
+   !> raised flux the share of the face itself counts, with 7/6 of its flow.
    pure subroutine general_links(mesh, flow, block, by_p, by_h)
       type(mesh_t), intent(in) :: mesh
       type(flow_t), intent(in) :: flow
       integer, intent(in) :: block(4)
       real(dp), intent(out), contiguous :: by_p(:, :), by_h(:, :)
+      real(dp) :: cx
       integer :: below, first, i, j, last, n
 
+      cx = mesh%cx
+      if (flow%along_x%is_raised) cx = (1 + 2*curvature)*cx
       i = block(1)
       n = block(2) - i + 1
       by_p = 0
@@ -78,9 +83,9 @@ contains
          first = (j - block(3))*n + 1
          last = first + n - 1
          associate (own_p => by_p(first:last, 1), own_h => by_h(first:last, 1))
-            call add_links(flow%along_x, mesh%cx, [i, j], .true., n, own_p, by_p(first:last, 2), own_h, &
+            call add_links(flow%along_x, cx, [i, j], .true., n, own_p, by_p(first:last, 2), own_h, &
                            by_h(first:last, 2))
-            call add_links(flow%along_x, mesh%cx, [i - 1, j], .false., n, own_p, by_p(first:last, 3), own_h, &
+            call add_links(flow%along_x, cx, [i - 1, j], .false., n, own_p, by_p(first:last, 3), own_h, &
                            by_h(first:last, 3))
             if (mesh%grid%ny == 0) cycle
             call add_links(flow%along_y, mesh%cy, [i, j], .true., n, own_p, by_p(first:last, 4), own_h, &

@@ -1,9 +1,11 @@
 !> Transposed change of the discrete Reynolds equation: derivatives of weighted residuals by pressure and film.
 module ehlwave_reynolds_transposed
    use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t
+   use ehlwave_face_flow, only: face_flow_t
    use ehlwave_flow, only: flow_t
    use ehlwave_kinds, only: dp
    use ehlwave_mesh, only: mesh_t
+   use ehlwave_raised_flux, only: curvature
    use ehlwave_real_wedge, only: wedge_t
    implicit none (type, external)
    private
@@ -21,18 +23,21 @@ contains
 #define TRANSPOSED real_transposed
 #define FACE_TRANSPOSED real_face_transposed
 #define GENERAL_TRANSPOSED real_general_transposed
+#define RAISED_TRANSPOSED real_raised_transposed
 #include "transposed_change.inc"
 #undef SCALAR
 #undef WEDGE
 #undef TRANSPOSED
 #undef FACE_TRANSPOSED
 #undef GENERAL_TRANSPOSED
+#undef RAISED_TRANSPOSED
 
 #define SCALAR complex(dp)
 #define WEDGE complex_wedge_t
 #define TRANSPOSED complex_transposed
 #define FACE_TRANSPOSED complex_face_transposed
 #define GENERAL_TRANSPOSED complex_general_transposed
+#define RAISED_TRANSPOSED complex_raised_transposed
 #include "transposed_change.inc"
 
 end module ehlwave_reynolds_transposed
