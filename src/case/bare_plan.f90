@@ -1,6 +1,6 @@
 !> The plan of one case without its effects: what is computed, on which grid, in how many steps, and why.
 module ehlwave_bare_plan
-   use ehlwave_accuracy_model, only: expected_film_error, light_error, wave_x_factor
+   use ehlwave_accuracy_model, only: expected_film_error, light_error, wave_x_error
    use ehlwave_case_files, only: case_file_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_error_parts, only: error_parts_t
@@ -93,7 +93,7 @@ contains
       class(bare_plan_t), intent(in) :: self
       wave_mesh_error = 0
       if (self%is_fitted .and. self%resolution%points_x > 0) &
-         wave_mesh_error = wave_x_factor*(self%surfaces%largest_slip()/self%resolution%points_x)**4
+         wave_mesh_error = wave_x_error(self%resolution%points_x, self%surfaces%largest_slip())
    end function wave_mesh_error
 
    !> Relative error of Ad/Ai, or of a response, to expect by the mesh.

@@ -1,7 +1,7 @@
 !> The grid of a case: cells as given, or the smallest of a list of sizes that resolves inlet sweep and waves.
 module ehlwave_grid_choice
    use ehlwave_accuracy_model, only: expected_long_step_error, expected_step_error, fitted_share, largest_mesh, &
-      light_error, points_for, wave_x_factor
+      light_error, points_for, slip_part, wave_x_factor
    use ehlwave_case_definition, only: case_t, usual_largest_cells
    use ehlwave_conditions, only: conditions_t
    use ehlwave_effects_plan, only: effects_plan_t
@@ -155,7 +155,7 @@ contains
       logical, intent(in) :: is_fitted           !! scheme
       integer, intent(in) :: cells_per_step      !! dT/hX, see `choose_grid`
       integer, parameter :: halvings = 30
-      real(dp) :: by_model, left, provable, ratio, room, step
+      real(dp) :: by_model, by_square, left, provable, ratio, room, step
       real(dp) :: share                          ! of the mesh without the error of longer steps
       integer :: n
 
@@ -167,9 +167,10 @@ contains
          accurate_mesh = largest_mesh(conditions, left, ratio, pattern%moves)
       end if
       accurate_mesh = accurate_mesh/sqrt(steepness)
-      if (pattern%waves > 0 .and. is_fitted) &   ! (hX/mesh)^2 + factor/points^4/left = 1
-         accurate_mesh = sqrt(2/(1/accurate_mesh**2 &
-            + sqrt(1/accurate_mesh**4 + 4*wave_x_factor/left*(pattern%slip*pattern%waves)**4)))
+      if (pattern%waves > 0 .and. is_fitted) then   ! (hX/mesh)^2 + error by waves/left = 1
+         by_square = 1/accurate_mesh**2 + slip_part(pattern%slip)*pattern%waves**2/left
+         accurate_mesh = sqrt(2/(by_square + sqrt(by_square**2 + 4*wave_x_factor/left*pattern%waves**4)))
+      end if
       if (.not. pattern%has_ratio) return
       if (case%response == 'harmonic') return
       room = room_of_proof()

@@ -6,6 +6,11 @@ module ehlwave_grid
    use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
+
+   !> Nodes in a direction around the centre for values there. Measured on waves of 6.7 cells, where the centre is between
+   !> nodes: cubics through four are 1.8 per cent off.
+   integer, parameter :: nearest = 8
+   integer, parameter, public :: centre_nodes = nearest**2
    public :: new_grid, new_line_grid
 
    !> Nodes X(0:nx), Y(0:ny). On the outer boundary P = 0 or, in a flooded domain, the far-field pressure; unknown P at
@@ -175,12 +180,12 @@ contains
       integral = cmplx(self%real_integral(field%re), self%real_integral(field%im), dp)
    end function complex_integral
 
-   !> Value at X = Y = 0: the node there, else cubic interpolation from the nodes around.
+   !> Value at X = Y = 0: the node there, else interpolation from the nodes around.
    pure real(dp) function value_at_centre(self, field)
       class(grid_t), intent(in) :: self
       real(dp), intent(in) :: field(0:, 0:)   !! (0:nx, 0:ny)
-      real(dp) :: weight(16)
-      integer :: k, node(2, 16)
+      real(dp) :: weight(centre_nodes)
+      integer :: k, node(2, centre_nodes)
 
       call self%centre_weights(node, weight)
       value_at_centre = 0
@@ -192,42 +197,43 @@ contains
    !> Nodes whose weighted values sum to the value at the centre. A node may come twice.
    pure subroutine centre_weights(self, node, weight)
       class(grid_t), intent(in) :: self
-      integer, intent(out) :: node(2, 16)     !! i, j
-      real(dp), intent(out) :: weight(16)
-      real(dp) :: wx(-1:2), wy(-1:2)
+      integer, intent(out) :: node(2, centre_nodes)     !! i, j
+      real(dp), intent(out) :: weight(centre_nodes)
+      real(dp), dimension(0:nearest - 1) :: wx, wy
       integer :: i, j, k, m
 
-      call cubic_weights(-self%x(0)/self%hx, self%nx, i, wx)
-      wy = [0, 1, 0, 0]
+      call weights_at(-self%x(0)/self%hx, 0, self%nx, i, wx)
       j = 0
+      wy = 0
+      wy(0) = 1
       if (.not. self%is_line) &
-         call cubic_weights(-self%y(0)/self%hy, self%ny, j, wy, lowest=merge(-1, 0, self%is_half))
-      do k = -1, 2
-         do m = -1, 2
-            node(:, 4*k + m + 6) = [i + m, abs(j + k)]
-            weight(4*k + m + 6) = wy(k)*wx(m)
+         call weights_at(-self%y(0)/self%hy, merge(1 - nearest/2, 0, self%is_half), self%ny, j, wy)
+      do k = 0, nearest - 1
+         do m = 0, nearest - 1
+            node(:, nearest*k + m + 1) = [min(i + m, self%nx), min(abs(j + k), self%ny)]
+            weight(nearest*k + m + 1) = wy(k)*wx(m)
          end do
       end do
    end subroutine centre_weights
 
-   !> Lagrange weights of the four nodes base-1..base+2 around a position in units of the mesh size.
-   pure subroutine cubic_weights(position, cells, base, weight, lowest)
+   !> Lagrange weights of the nodes around a position in units of the mesh size: of `nearest` nodes, or of all that
+   !> there are.
+   pure subroutine weights_at(position, lowest, highest, first, weight)
       real(dp), intent(in) :: position
-      integer, intent(in) :: cells
-      integer, intent(out) :: base
-      real(dp), intent(out) :: weight(-1:2)
-      integer, intent(in), optional :: lowest   !! smallest node that may be used (default 0)
+      integer, intent(in) :: lowest, highest   !! nodes that may be used
+      integer, intent(out) :: first            !! the first of them
+      real(dp), intent(out) :: weight(0:nearest - 1)
       real(dp) :: t
-      integer :: first
+      integer :: points
 
-      first = 0
-      if (present(lowest)) first = lowest
-      base = nint(position)
-      if (abs(position - base) > 1e-9_dp) base = floor(position)
-      base = min(max(base, first + 1), cells - 2)
-      t = position - base
+      points = min(nearest, highest - lowest + 1)
+      first = nint(position)
+      if (abs(position - first) > 1e-9_dp) first = floor(position)
+      first = min(max(first - points/2 + 1, lowest), highest - points + 1)
+      t = position - first
       if (abs(t - nint(t)) < 1e-9_dp) t = nint(t)
-      weight = lagrange_weights(size(weight), t + 1)
-   end subroutine cubic_weights
+      weight = 0
+      weight(:points - 1) = lagrange_weights(points, t)
+   end subroutine weights_at
 
 end module ehlwave_grid

@@ -4,6 +4,7 @@ module ehlwave_result_slopes
       of_rolling_force
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_friction_slope, only: friction_slope
+   use ehlwave_grid, only: centre_nodes
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_load_balance, only: load_factor
    use ehlwave_rolling_result, only: rolling_coefficient
@@ -111,8 +112,8 @@ contains
       type(contact_problem_t), intent(in) :: problem
       real(dp), intent(in) :: factor
       real(dp), intent(inout) :: field(0:, 0:)
-      integer :: k, node(2, 16)
-      real(dp) :: weight(16)
+      integer :: k, node(2, centre_nodes)
+      real(dp) :: weight(centre_nodes)
 
       call problem%grid%centre_weights(node, weight)
       do k = 1, size(weight)

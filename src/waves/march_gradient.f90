@@ -5,6 +5,7 @@ module ehlwave_march_gradient
    use ehlwave_contact_variant, only: contact_variable_t
    use ehlwave_equations, only: equations_t
    use ehlwave_given, only: given_t
+   use ehlwave_grid, only: centre_nodes
    use ehlwave_hierarchy, only: level_t, work_of
    use ehlwave_kinds, only: dp
    use ehlwave_march_recording, only: march_recording_t
@@ -109,8 +110,8 @@ contains
       real(dp), intent(out) :: norm                          !! of the vectors
       type(steady_adjoint_t) :: adjoint
       real(dp), allocatable :: h_weight(:, :), q_weight(:, :)
-      real(dp) :: weight(16)
-      integer :: k, node(2, 16), r
+      real(dp) :: weight(centre_nodes)
+      integer :: k, node(2, centre_nodes), r
 
       allocate (h_weight, q_weight, mold=state%h)
       norm = 0

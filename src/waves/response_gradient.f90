@@ -12,7 +12,7 @@ module ehlwave_response_gradient
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_contact_variant, only: contact_variable_t
    use ehlwave_equations, only: equations_t
-   use ehlwave_grid, only: grid_t
+   use ehlwave_grid, only: centre_nodes, grid_t
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_harmonic_solver, only: harmonic_solver_t
    use ehlwave_hierarchy, only: level_t
@@ -54,8 +54,8 @@ contains
       complex(dp), allocatable, dimension(:, :) :: h_weight, q_weight
       real(dp), allocatable :: centre(:, :)
       type(steady_adjoint_t) :: imaginary, real_part
-      integer :: k, node(2, 16)
-      real(dp) :: weight(16)
+      integer :: k, node(2, centre_nodes)
+      real(dp) :: weight(centre_nodes)
 
       associate (grid => levels(size(levels))%problem%grid, tangent => harmonic%tangent)
          call grid%new_field(centre)
