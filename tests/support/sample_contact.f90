@@ -57,10 +57,11 @@ contains
    end function rheology_of
 
    !> The steady contact M = 100, D = 0.35 on 48 x 48 cells.
-   subroutine solve_sample(multigrid, is_half)
+   subroutine solve_sample(multigrid, is_half, is_fitted)
       type(full_multigrid_t), intent(inout) :: multigrid
       logical, intent(in) :: is_half
-      call make_multigrid(multigrid, 100.0_dp, 0.35_dp, 48, is_half)
+      logical, intent(in), optional :: is_fitted   !! scheme; absent: averaged
+      call make_multigrid(multigrid, 100.0_dp, 0.35_dp, 48, is_half, is_fitted=is_fitted)
       call multigrid%solve(solve_limits_t(tolerance=1e-9_dp), 1e-3_dp)
    end subroutine solve_sample
 
@@ -102,19 +103,22 @@ contains
    end subroutine make_level
 
    !> A hierarchy of steady contacts on the default domain, `cells` in both directions, and its solvers.
-   subroutine make_multigrid(multigrid, m, d, cells, is_half, method)
+   subroutine make_multigrid(multigrid, m, d, cells, is_half, method, is_fitted)
       type(full_multigrid_t), intent(inout) :: multigrid
       real(dp), intent(in) :: m, d
       integer, intent(in) :: cells
       logical, intent(in) :: is_half
       type(method_t), intent(in), optional :: method
+      logical, intent(in), optional :: is_fitted
       type(conditions_t) :: conditions
+      type(grid_t) :: grid
       type(method_t) :: chosen
 
       if (present(method)) chosen = method
       conditions = make_conditions(m, d)
-      call init_multigrid(multigrid, conditions, make_rheology(conditions), &
-                          new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half), chosen)
+      grid = new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half)
+      if (present(is_fitted)) grid%is_fitted = is_fitted
+      call init_multigrid(multigrid, conditions, make_rheology(conditions), grid, chosen)
    end subroutine make_multigrid
 
    !> A pressure that is positive inside, zero on the outer boundary, even in Y, without symmetry in X.

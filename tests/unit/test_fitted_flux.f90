@@ -4,6 +4,7 @@ program test_fitted_flux
    use ehlwave_fitted_flux, only: fit_faces
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_kinds, only: dp
+   use ehlwave_raised_flux, only: raise_order, raised_row
    use testing, only: test_t
    implicit none (type, external)
 
@@ -13,6 +14,7 @@ program test_fitted_flux
    call check_steep_oil()
    call check_wedge()
    call check_alike()
+   call check_order()
    call test%finish()
 
 contains
@@ -101,5 +103,45 @@ contains
       call test%check_close(slope(1), slope(2), 'its derivative', relative=1e-8_dp)
       call test%check_close(own(1), (oil%fluidity(0, 0) + oil%fluidity(1, 0))*0.2_dp**3/lambdabar, 'averaged', relative=1e-4_dp)
    end subroutine check_alike
+
+   !> Raised fluxes of a thin oil in a curved gap: their differences are the derivative of the flow at the nodes, of fourth
+   !> order.
+   subroutine check_order()
+      real(dp) :: error(2)
+      error = [largest_error(32), largest_error(64)]
+      print '(a, f6.3)', 'measured: observed order of raised fluxes ', log(error(1)/error(2))/log(2.0_dp)
+      call test%check_close(log(error(1)/error(2))/log(2.0_dp), 4.0_dp, 'order of raised fluxes', absolute=0.25_dp)
+   end subroutine check_order
+
+   !> Largest error of the derivative of the flow q = sin(2 X) in the gap 1 + 0.4 cos(3 X), on n cells, two nodes and more
+   !> from the ends. P by Gauss's rule.
+   real(dp) function largest_error(n)
+      integer, intent(in) :: n
+      real(dp), parameter :: place(3) = [-sqrt(0.6_dp), 0.0_dp, sqrt(0.6_dp)], weight(3) = [5, 8, 5]/18.0_dp
+      type(grid_t) :: grid
+      type(face_flow_t) :: x, y
+      real(dp) :: flux(0:n), h(0:n, 0:0), p(0:n, 0:0)
+      integer :: i
+
+      grid = new_line_grid(-1.0_dp, 1.0_dp, n)
+      h(:, 0) = gap(grid%x)
+      p(0, 0) = 0
+      do i = 1, n
+         associate (between => grid%x(i) - 0.5_dp*grid%hx*(1 - place))
+            p(i, 0) = p(i - 1, 0) + lambdabar*grid%hx*sum(weight*sin(2*between)/gap(between)**3)
+         end associate
+      end do
+      x = new_face_flow(grid)
+      y = x
+      call fit_faces(grid, lambdabar, oil_of(p, h, .false.), x, y)
+      call raise_order(x, grid, h)
+      flux = raised_row(x, 0)/(2*grid%hx)
+      largest_error = maxval(abs((flux(3:n - 3) - flux(2:n - 4))/grid%hx - 2*cos(2*grid%x(3:n - 3))))
+   end function largest_error
+
+   elemental real(dp) function gap(x)
+      real(dp), intent(in) :: x
+      gap = 1 + 0.4_dp*cos(3*x)
+   end function gap
 
 end program test_fitted_flux

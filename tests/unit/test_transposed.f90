@@ -16,17 +16,20 @@ program test_transposed
 
    call real_system(test, 'half domain', .true.)
    call real_system(test, 'whole domain', .false.)
+   call real_system(test, 'fitted', .true., is_fitted=.true.)
    call complex_system(test, 'half domain', .true.)
    call complex_system(test, 'whole domain', .false.)
+   call complex_system(test, 'fitted', .true., is_fitted=.true.)
    call test%finish()
 
 contains
 
    !> The steady system. The gap at one node moves; the film there is the result.
-   subroutine real_system(test, what, is_half)
+   subroutine real_system(test, what, is_half, is_fitted)
       type(test_t), intent(inout) :: test
       character(len=*), intent(in) :: what
       logical, intent(in) :: is_half
+      logical, intent(in), optional :: is_fitted   !! scheme; absent: averaged
       type(full_multigrid_t) :: multigrid
       type(steady_tangent_t) :: tangent
       type(steady_adjoint_t) :: adjoint
@@ -35,7 +38,7 @@ contains
       real(dp) :: work
       integer :: i
 
-      call solve_sample(multigrid, is_half)
+      call solve_sample(multigrid, is_half, is_fitted)
       call tangent%init(multigrid%levels)
       associate (levels => multigrid%levels, linear => tangent%linear, grid => multigrid%levels(2)%problem%grid)
          call grid%new_field(h)
@@ -71,10 +74,11 @@ contains
    end subroutine real_system
 
    !> The system of a wave.
-   subroutine complex_system(test, what, is_half)
+   subroutine complex_system(test, what, is_half, is_fitted)
       type(test_t), intent(inout) :: test
       character(len=*), intent(in) :: what
       logical, intent(in) :: is_half
+      logical, intent(in), optional :: is_fitted   !! scheme; absent: averaged
       type(full_multigrid_t) :: multigrid
       type(harmonic_response_t) :: response
       type(harmonic_solver_t) :: solver
@@ -83,7 +87,7 @@ contains
       real(dp) :: work
       integer :: i, status
 
-      call solve_sample(multigrid, is_half)
+      call solve_sample(multigrid, is_half, is_fitted)
       call solver%init(multigrid%levels)
       associate (levels => multigrid%levels, linear => solver%linear)
          call solver%set_frequency(levels, 4.0_dp, (0.2_dp, 0.1_dp), is_real=.false.)
