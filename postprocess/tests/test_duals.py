@@ -7,7 +7,12 @@ import numpy
 import pytest
 import scipy.special
 
-from ehlwave.contact.scales import ellipticity, integral_combinations
+from ehlwave.contact.scales import (
+    ellipticity,
+    first_integral,
+    integral_combinations,
+    second_integral,
+)
 from ehlwave.duals import (
     Dual,
     implicit,
@@ -115,14 +120,16 @@ def test_elliptic_integrals(kappa: float) -> None:
     """Derivatives of K, E and their combinations, also where a circle makes differences cancel."""
     step = 1e-5 if kappa == 1 else 1e-6
     for function in (
-        lambda k: scipy.special.ellipk(1 - k**2),
-        lambda k: scipy.special.ellipe(1 - k**2),
+        first_integral,
+        second_integral,
         lambda k: integral_combinations(k)[0],
         lambda k: integral_combinations(k)[1],
     ):
         found = function(Dual(kappa, numpy.array([1.0])))
         expected = (function(kappa + step) - function(kappa - step)) / (2 * step)
         assert found.slopes[0] == pytest.approx(expected, rel=1e-7)
+    assert first_integral(kappa) == pytest.approx(scipy.special.ellipk(1 - kappa**2), rel=1e-12)
+    assert second_integral(kappa) == pytest.approx(scipy.special.ellipe(1 - kappa**2), rel=1e-12)
     assert ellipticity(Dual(1.0, numpy.array([1.0]))).slopes[0] == pytest.approx(2 / 3)
 
 

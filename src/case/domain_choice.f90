@@ -37,7 +37,7 @@ contains
 
    !> How many times as large as that of a case a domain has to be for its accuracy, and for the room that a thick film
    !> needs: a power of 2. It is more than 1 with flooded edges and a domain of the usual size only.
-   pure real(dp) function chosen_scale(case, conditions, rheology) result(scale)
+   real(dp) function chosen_scale(case, conditions, rheology) result(scale)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
@@ -74,7 +74,7 @@ contains
    !> Relative errors by the edges of a domain `scale` times that of a case: of H(0,0), and of Ad/Ai, without waves both
    !> of H(0,0). Flooded edges leave in waves a share of the error that P = 0 there leaves in the film, see
    !> `share_of_waves`.
-   pure function expected_domain_errors(case, conditions, rheology, scale) result(errors)
+   function expected_domain_errors(case, conditions, rheology, scale) result(errors)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology

@@ -2,9 +2,9 @@
 module ehlwave_resolution
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_far_field, only: hertz_gap
    use ehlwave_formula, only: expected_film
    use ehlwave_gauss_legendre, only: new_gauss_rule
+   use ehlwave_hertz_gap, only: hertz_gap
    use ehlwave_kinds, only: dp
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text

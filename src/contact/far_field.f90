@@ -17,16 +17,14 @@
 module ehlwave_far_field
    use ehlwave_conditions, only: conditions_t
    use ehlwave_formula, only: expected_film
-   use ehlwave_gauss_legendre, only: gauss_rule_t, new_gauss_rule
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_gauss_legendre, only: gauss_rule_t
+   use ehlwave_hertz_gap, only: farthest, gap_rule, gaps_on_axis, gaps_outside, hertz_gap, intervals
+   use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
    implicit none (type, external)
    private
-   public :: new_far_field, rigid_strength, hertz_gap
+   public :: new_far_field, rigid_strength
 
-   integer, parameter :: intervals = 256        !! intervals of (F2), in ln r
-   integer, parameter :: most_points = 40       !! of a rule for the gap
-   real(dp), parameter :: farthest = 60         !! r where (F1) holds
    !> Makes the pressure at r = 1 a quarter of ph where the oil does not thicken.
    real(dp), parameter, public :: rising_exponent = 4
 
@@ -46,7 +44,7 @@ module ehlwave_far_field
 contains
 
    !> Far field of a contact whose oil has d ln(eta)/dP = thickening at P = 0.
-   pure function new_far_field(conditions, thickening) result(self)
+   function new_far_field(conditions, thickening) result(self)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: thickening
       type(far_field_t) :: self
@@ -55,9 +53,9 @@ contains
 
       self%conditions = conditions
       self%film = expected_film(conditions)
-      self%rule = new_gauss_rule(24)
+      self%rule = gap_rule()
       r = [(farthest**(k/real(intervals, dp)), k=0, intervals)]
-      h = [(self%film_at(r(k), 0.0_dp), k=0, intervals)]
+      h = gaps_on_axis(conditions, r) + self%film
       g(0) = 1/(rising_exponent + thickening)
       g(intervals) = rigid_strength(conditions, -r(intervals))/h(intervals)**2
       call solve_axis(conditions, r, h, g)
@@ -121,100 +119,23 @@ contains
    end function film_at
 
    !> Load beyond the inlet edge and the sides of a domain that the far field bears, over the nominal load, (F6).
-   pure real(dp) function load_outside(self, x_min, y_max) result(load)
+   real(dp) function load_outside(self, x_min, y_max) result(load)
       class(far_field_t), intent(in) :: self
       real(dp), intent(in) :: x_min, y_max   !! as in `outside`
-      real(dp), allocatable, dimension(:) :: area, x, y
+      real(dp), allocatable, dimension(:) :: area, film, x, y
       integer :: n
-      call self%outside(x_min, y_max, x, y, area)
-      load = load_factor*sum([(area(n)*self%strength(x(n), y(n))/self%film_at(x(n), y(n))**2, n=1, size(area))])
+      call self%outside(x_min, y_max, x, y, area, film)
+      load = load_factor*sum([(area(n)*self%strength(x(n), y(n))/film(n)**2, n=1, size(area))])
    end function load_outside
 
-   !> Quadrature points for the region upstream of X = 0 beyond the inlet edge and the sides; on the axis for a line
-   !> contact.
-   pure subroutine outside(self, x_min, y_max, x, y, area, times)
+   !> Quadrature points for the region upstream of X = 0 beyond the inlet edge and the sides, and the film there.
+   subroutine outside(self, x_min, y_max, x, y, area, film, times)
       class(far_field_t), intent(in) :: self
-      real(dp), intent(in) :: x_min, y_max   !! X of the inlet edge, Y of the side; of line contacts y_max is the
-                                             !! strip's width
-      real(dp), allocatable, dimension(:), intent(out) :: x, y, area   !! X <= 0, Y >= 0 and dX dY, both sides counted
+      real(dp), intent(in) :: x_min, y_max   !! as in `gaps_outside`
+      real(dp), allocatable, dimension(:), intent(out) :: x, y, area, film   !! as there
       real(dp), intent(in), optional :: times   !! out to so many times the domain; absent: all that there is
-      type(gauss_rule_t) :: rule
-      real(dp) :: corner, half, phi
-      integer :: k
-
-      rule = new_gauss_rule(12)
-      allocate (x(0), y(0), area(0))
-      if (self%conditions%is_line()) then
-         call add_ray(1.0_dp, 0.0_dp, -x_min, y_max, x, y, area)
-         return
-      end if
-      corner = atan2(y_max, -x_min)
-      do k = 1, rule%n
-         half = 0.5_dp*corner                  ! from the axis to the corner
-         phi = half*(1 + rule%node(k))
-         call add_ray(cos(phi), sin(phi), -x_min/cos(phi), 2*half*rule%weight(k), x, y, area)
-         half = 0.5_dp*(pi/2 - corner)         ! from there to X = 0
-         phi = corner + half*(1 + rule%node(k))
-         call add_ray(cos(phi), sin(phi), y_max/sin(phi), 2*half*rule%weight(k), x, y, area)
-      end do
-
-   contains
-
-      !> Points from the edge outwards in one direction, even in edge/r.
-      pure subroutine add_ray(along, across, edge, width, x, y, area)
-         real(dp), intent(in) :: along, across, edge
-         real(dp), intent(in) :: width       !! angle that the ray represents; width of the strip for a line
-         real(dp), allocatable, dimension(:), intent(inout) :: x, y, area
-         real(dp) :: last
-         real(dp), dimension(rule%n) :: r, t
-         last = 0
-         if (present(times)) last = 1/times
-         t = last + 0.5_dp*(1 - last)*(1 + rule%node(:rule%n))
-         r = edge/t
-         x = [x, -r*along]
-         y = [y, r*across]
-         area = [area, 0.5_dp*(1 - last)*width*rule%weight(:rule%n)*edge/t**2 &
-                       *merge(1.0_dp, r, self%conditions%is_line())]
-      end subroutine add_ray
+      call gaps_outside(self%conditions, x_min, y_max, x, y, area, film, times)
+      film = film + self%film
    end subroutine outside
-
-   !> Gap between the dry bodies outside the Hertz zone, 0 inside (Johnson, Contact Mechanics, 1985, section 4.2), (F3):
-   !>
-   !>     S X^2 + (1 - S) Y^2 - 1 + 1/(2 kappa K) int_w0^inf (1 - X^2/(1 + w) - Y'^2/(c + w)) dw/((1 + w)(c + w)
-   !>     w)^(1/2),
-   !>
-   !> c = 1/kappa^2, Y' = Y/kappa, w0 where the first factor vanishes; by w = (1 + w0)/t^2 - 1 an integral from 0 to 1.
-   !> Of a line
-   !> |X| (X^2 - 1)^(1/2) - arcosh |X|, (F4).
-   pure real(dp) function hertz_gap(conditions, x, y, rule) result(gap)
-      type(conditions_t), intent(in) :: conditions
-      real(dp), intent(in) :: x, y
-      type(gauss_rule_t), intent(in) :: rule   !! 24 points, at most `most_points`
-      real(dp), dimension(most_points) :: t, term, w
-      real(dp) :: b, c, w0, yy
-      integer :: k
-
-      gap = 0
-      if (x**2 + y**2 <= 1) return
-      if (conditions%is_line()) then
-         gap = abs(x)*sqrt(x**2 - 1) - acosh(abs(x))
-         return
-      end if
-      associate (kappa => conditions%elliptic%kappa, s => conditions%s)
-         c = 1/kappa**2
-         yy = (y/kappa)**2
-         b = 0.5_dp*(x**2 + yy - 1 - c)
-         w0 = b + sqrt(max(0.0_dp, b**2 + c*(x**2 - 1) + yy))
-         do k = 1, rule%n                 ! several at once; the sum keeps its order
-            t(k) = 0.5_dp*(1 + rule%node(k))
-            w(k) = (1 + w0)/t(k)**2 - 1
-            term(k) = rule%weight(k)*(1 - x**2/(1 + w(k)) - yy/(c + w(k)))/(t(k)**2*sqrt((c + w(k))*w(k)))
-         end do
-         do k = 1, rule%n
-            gap = gap + term(k)
-         end do
-         gap = max(0.0_dp, s*x**2 + (1 - s)*y**2 - 1 + sqrt(1 + w0)*gap/(2*kappa*conditions%elliptic%k))
-      end associate
-   end function hertz_gap
 
 end module ehlwave_far_field

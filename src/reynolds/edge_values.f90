@@ -46,7 +46,7 @@ module ehlwave_edge_values
 contains
 
    !> Edges of a grid. A flooded one has pressure upstream of X = 0: at the inlet, and at the sides up to there.
-   pure function new_edge_values(grid, conditions, rheology) result(self)
+   function new_edge_values(grid, conditions, rheology) result(self)
       type(grid_t), intent(in) :: grid
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
@@ -126,7 +126,7 @@ contains
 
    !> Places outside the domain, out to `times` its size: the areas dX dY that they represent, H and alpha q of the far
    !> field. None where the edges are not flooded.
-   pure subroutine film_outside(self, times, area, h, thickened)
+   subroutine film_outside(self, times, area, h, thickened)
       class(edge_values_t), intent(in) :: self
       real(dp), intent(in) :: times
       real(dp), allocatable, dimension(:), intent(out) :: area, h, thickened
@@ -136,7 +136,7 @@ contains
    end subroutine film_outside
 
    !> Pressure at these places.
-   pure subroutine pressure_outside(self, times, area, x, p)
+   subroutine pressure_outside(self, times, area, x, p)
       class(edge_values_t), intent(in) :: self
       real(dp), intent(in) :: times
       real(dp), allocatable, dimension(:), intent(out) :: area, x, p   !! dX dY, X, P
@@ -146,14 +146,15 @@ contains
    end subroutine pressure_outside
 
    !> The places themselves.
-   pure subroutine places_outside(self, times, x, y, area, h)
+   subroutine places_outside(self, times, x, y, area, h)
       class(edge_values_t), intent(in) :: self
       real(dp), intent(in) :: times
       real(dp), allocatable, dimension(:), intent(out) :: x, y, area, h
-      integer :: n
-      allocate (x(0), y(0), area(0))
-      if (size(self%i) > 0) call self%far%outside(self%x_min, self%y_max, x, y, area, times)
-      h = [(self%far%film_at(x(n), y(n)), n=1, size(area))]
+      if (size(self%i) > 0) then
+         call self%far%outside(self%x_min, self%y_max, x, y, area, h, times)
+      else
+         allocate (x(0), y(0), area(0), h(0))
+      end if
    end subroutine places_outside
 
    !> Give the edges the pressures of the far field.

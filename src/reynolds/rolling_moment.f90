@@ -32,7 +32,7 @@ contains
    end function shift_inside
 
    !> The part by the far field of a flooded contact outside the domain, out to `times` its size.
-   pure real(dp) function shift_outside(problem, times) result(shift)
+   real(dp) function shift_outside(problem, times) result(shift)
       type(contact_problem_t), intent(in) :: problem
       real(dp), intent(in) :: times
       real(dp), allocatable, dimension(:) :: area, pressure, x

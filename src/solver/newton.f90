@@ -106,10 +106,10 @@ contains
       worth_before = 0
       rests = 0
       work_before = work_of(levels)
-      forcing = self%loosest
-      ! changes by heat are smooth, and a part alone may end beside the solution
+      forcing = min(self%loosest, limits%loosest)
+      ! most changes by heat are smooth, and a part alone may end beside the solution
       asks_local = allocated(self%local) .and. .not. allocated(given%supply) .and. &
-                   .not. allocated(levels(size(levels))%problem%heat)
+                   (limits%starts_in_part .or. .not. allocated(levels(size(levels))%problem%heat))
       is_starved = given%conserves_oil()
       self%step%is_cut = .false.
       may_cut = levels(size(levels))%problem%rheology%is_newtonian()

@@ -23,6 +23,8 @@ module ehlwave_solve_report
       logical :: gives_up = .false.     !! whether Newton's method ends where it comes to rest away from the solution
       logical :: keeps_factors = .false.   !! whether Newton's method may keep factors from system to system, and from
                                            !! its last solution: `kept_factors_t`
+      real(dp) :: loosest = 1           !! linear tolerance that Newton's method never exceeds
+      logical :: starts_in_part = .false.  !! whether Newton's method also solves a part first under heat
       real(dp) :: guess_share = 1  !! multiple of the tolerance, above which Newton's method improves every first guess
    end type solve_limits_t
 

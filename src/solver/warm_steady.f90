@@ -20,7 +20,9 @@ module ehlwave_warm_steady
    public :: solve_warm
 
    integer, parameter :: most_rounds = 40, most_coarse_rounds = 20
-   integer, parameter :: first_steps = 2            !! steps of Newton's method for temperatures from the coarser level
+   real(dp), parameter :: linear_tolerance = 0.01_dp  !! with temperatures from the coarser level: most rounds need one
+                                                      !! step
+   real(dp), parameter :: fastest = 0.2_dp  !! least ratio of changes in rounds that follow, which is relied upon
    integer, parameter :: more_steps = 6             !! steps of Newton's method in a round, more than the usual 1: where
                                                     !! temperatures have settled, and where its active set goes to and
    real(dp), parameter :: stuck = 0.5_dp            !! fro, the residual exceeding the previous residual
@@ -154,9 +156,10 @@ contains
       class(capped_solver_t), intent(inout) :: cap
       type(energy_t), intent(inout) :: energy
       type(anderson_t) :: anderson
+      type(solve_limits_t) :: here
       type(solve_report_t) :: report, total
       real(dp), allocatable :: rise(:, :, :)
-      real(dp) :: before, bound, centre, change, residual
+      real(dp) :: before, bound, centre, change, earlier(2), residual
       integer :: again, round, rounds
       logical :: is_near, is_settled, is_stuck, is_warm
 
@@ -168,10 +171,15 @@ contains
          centre = level%problem%grid%value_at_centre(level%state%h)
          is_stuck = .false.
          residual = 0
+         earlier = huge(before)
          energy%film_difference = huge(before)
          report%status = status_stalled
+         here = limits
          if (is_predicted) then
-            call improve(multigrid, l, limits, first_steps, .true., cap, report, total)
+            here%loosest = linear_tolerance
+            here%starts_in_part = .true.
+            call improve(multigrid, l, here, 1, .false., cap, report, total)
+            here%starts_in_part = .false.
             energy%film_difference = abs(level%problem%grid%value_at_centre(level%state%h)/centre - 1)
          end if
          do round = 1, rounds
@@ -184,7 +192,10 @@ contains
             is_settled = .false.
             if (.not. ieee_is_finite(energy%difference)) exit
             bound = settled*limits%tolerance*loosening**max(0, round - patience)
-            is_warm = max(energy%heat_difference, energy%difference/loose) <= bound
+            if (again > 1) earlier = huge(before)   ! marches under one film settle faster than rounds
+            change = share_left([energy%difference, energy%heat_difference], earlier)
+            is_warm = change*max(energy%heat_difference, energy%difference/loose) <= bound
+            earlier = [energy%difference, merge(energy%heat_difference, huge(before), round > 1)]
             is_settled = report%status == status_converged .and. is_warm .and. energy%film_difference <= bound
             if (is_settled) exit
             if (is_predicted .or. round > 1) &
@@ -195,7 +206,7 @@ contains
             residual = report%residual
             change = max(energy%difference, energy%film_difference)
             is_near = .not. max(change, merge(energy%heat_difference, 0.0_dp, round > 1)) > farther*bound
-            call improve(multigrid, l, limits, merge(more_steps, 1, is_warm .or. is_stuck), &
+            call improve(multigrid, l, here, merge(more_steps, 1, is_warm .or. is_stuck), &
                          .not. (is_near .or. is_stuck .or. change > near), cap, report, total)
             centre = level%problem%grid%value_at_centre(level%state%h)
             energy%film_difference = abs(centre/before - 1)
@@ -216,6 +227,16 @@ contains
          level%report = report
       end associate
    end subroutine settle
+
+   !> Share of the last changes, of temperatures and of their heat, that all further rounds may change: they fall as a
+   !> geometric series with the slower ratio.
+   pure real(dp) function share_left(now, earlier) result(share)
+      real(dp), intent(in) :: now(2), earlier(2)   !! changes; earlier ones are huge if not known
+      real(dp) :: ratio
+      ratio = maxval([fastest, now/earlier])
+      share = 1
+      if (earlier(1) < huge(ratio) .and. ratio < 0.5_dp) share = ratio/(1 - ratio)
+   end function share_left
 
    !> Temperatures by a march through the film of a level.
    subroutine march(multigrid, l, is_solved, cap, energy)

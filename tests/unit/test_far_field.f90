@@ -2,8 +2,9 @@
 program test_far_field
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t
-   use ehlwave_far_field, only: far_field_t, hertz_gap, new_far_field, rigid_strength
+   use ehlwave_far_field, only: far_field_t, new_far_field, rigid_strength
    use ehlwave_gauss_legendre, only: gauss_rule_t, new_gauss_rule
+   use ehlwave_hertz_gap, only: hertz_gap
    use ehlwave_kinds, only: dp, pi
    use testing, only: test_t
    implicit none (type, external)
@@ -135,13 +136,13 @@ contains
    !> The ring from a domain to three times it, upstream, has its area; of a line a strip.
    subroutine check_outside()
       type(far_field_t) :: far
-      real(dp), allocatable, dimension(:) :: area, x, y
+      real(dp), allocatable, dimension(:) :: area, film, x, y
       far = new_far_field(contact(100.0_dp, 12.05_dp, 0.3_dp), 10.0_dp)
-      call far%outside(-2.5_dp, 2.0_dp, x, y, area, times=3.0_dp)
+      call far%outside(-2.5_dp, 2.0_dp, x, y, area, film, times=3.0_dp)
       call test%check_close(sum(area), (3**2 - 1)*2.5_dp*4.0_dp, 'area of the ring', relative=1e-4_dp)
       call test%check(all(x < 0 .and. y > 0 .and. max(-x/2.5_dp, y/2) > 1 .and. max(-x/2.5_dp, y/2) < 3), 'within the ring')
       far = new_far_field(contact(100.0_dp, 12.05_dp, 0.0_dp), 10.0_dp)
-      call far%outside(-2.5_dp, 4/3.0_dp, x, y, area, times=3.0_dp)
+      call far%outside(-2.5_dp, 4/3.0_dp, x, y, area, film, times=3.0_dp)
       call test%check_close(sum(area), 5*4/3.0_dp, 'area of the strip', relative=1e-4_dp)
    end subroutine check_outside
 

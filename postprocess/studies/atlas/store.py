@@ -1,6 +1,5 @@
 """The file of an atlas: networks, steps of packed numbers, checksum."""
 
-import io
 from pathlib import Path
 
 import numpy as np
@@ -41,7 +40,7 @@ def write_atlas(data: xr.Dataset, path: Path) -> None:
     written = xr.Dataset({name: _packed(data[name]) for name in data}, attrs=data.attrs)
     for _ in range(2):  # the checksum covers the numbers as stored
         data = bytes(written.to_netcdf(engine="scipy", format="NETCDF3_CLASSIC"))
-        written.attrs["checksum"] = checksum(*read_packed(io.BytesIO(data)))
+        written.attrs["checksum"] = checksum(*read_packed(data))
     Writer().data(path, data)
 
 

@@ -2,9 +2,9 @@
 module ehlwave_layer_change_plan
    use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_far_field, only: hertz_gap
    use ehlwave_formula, only: expected_film
    use ehlwave_gauss_legendre, only: gauss_rule_t, new_gauss_rule
+   use ehlwave_hertz_gap, only: hertz_gap
    use ehlwave_kinds, only: dp
    use ehlwave_starvation_keys, only: starvation_keys_t
    implicit none (type, external)

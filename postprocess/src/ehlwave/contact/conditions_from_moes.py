@@ -6,8 +6,6 @@ Equation numbers refer to ``src/theory.md``.
 from collections.abc import Mapping
 from dataclasses import replace
 
-from scipy.special import ellipe
-
 from ehlwave.contact.conditions import (
     FIT_ERROR,
     FIT_TEXT,
@@ -26,6 +24,7 @@ from ehlwave.contact.scales import (
     moes_film,
     moes_per_film,
     pressure_factor,
+    second_integral,
 )
 from ehlwave.contact.starvation import FILM_BAR, OIL_OVER_FLOODED, film_over_flooded
 from ehlwave.duals import math, to_float
@@ -52,7 +51,7 @@ def conditions_from_moes(
     approach, metres_per_moes = None, None
     source, error = GIVEN_TEXT, 0.0
     if "radius_x_m" in values and math.isfinite(semi_axis_a_m):
-        k, e = first_integral(kappa), to_float(ellipe(1 - kappa**2))  # E = 1 of a line contact
+        k, e = first_integral(kappa), second_integral(kappa)
         approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
         metres_per_moes = approach / moes_per_film(m, kappa)
         if film_m is None and math.isfinite(ratio):

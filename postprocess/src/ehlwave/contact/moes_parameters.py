@@ -5,12 +5,10 @@ Equation numbers refer to ``src/theory.md``.
 
 from collections.abc import Mapping
 
-from scipy.special import ellipe
-
 from ehlwave.contact.line_contact import LOAD_KEY, line_values
 from ehlwave.contact.oils import Oil
-from ehlwave.contact.scales import ellipticity
-from ehlwave.duals import math, to_float, valued
+from ehlwave.contact.scales import ellipticity, second_integral
+from ehlwave.duals import math, valued
 from ehlwave.errors import SurfaceError, see
 
 DIMENSIONAL_KEYS = (
@@ -41,7 +39,7 @@ def moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
     )
     kappa = ellipticity(d)
     radius = 1 / (1 / radius_x + 1 / radius_y)
-    e = to_float(ellipe(1 - kappa**2))
+    e = second_integral(kappa)
     return {
         "load_parameter_m": load_w * speed_2u**-0.75,
         "lubricant_parameter_l": alpha * modulus * speed_2u**0.25,

@@ -8,9 +8,7 @@ compares both to round-off.
 from functools import lru_cache
 from typing import Any, TypeVar
 
-import scipy
 from numpy.typing import NDArray
-from scipy.special import ellipk, elliprd
 
 from ehlwave.contact.line_contact import line_film, moes_per_line_film
 from ehlwave.duals import Dual, implicit, math, np, to_float, valued
@@ -20,6 +18,12 @@ Number = TypeVar("Number", float, NDArray[np.float64])
 
 NEARLY_CIRCULAR = 1e-4
 """1 - kappa^2 below which derivatives of elliptic integrals are series."""
+
+MEANS = 8
+"""Arithmetic-geometric means that elliptic integrals need, down to kappa = 1e-4."""
+
+NEWTON_STEPS = 4
+"""Steps that an ellipticity needs, for D of 0.001 to 1."""
 
 
 def ellipticity(d: float) -> float:
@@ -43,10 +47,11 @@ def _ellipticity(d: float) -> float:
     if d == 1:
         return 1.0
 
-    def excess(kappa: float) -> float:
-        return radius_ratio(kappa) - d
-
-    return float(scipy.optimize.brentq(excess, 1e-3, 1.0, xtol=1e-15, rtol=1e-14))
+    kappa = d**0.64
+    for _ in range(NEWTON_STEPS):  # ln D is nearly linear in ln kappa
+        ratio = radius_ratio(Dual(kappa, np.ones(1)))
+        kappa *= float((d / ratio.value) ** (ratio.value / (kappa * ratio.slopes[0])))
+    return kappa
 
 
 def radius_ratio(kappa: float) -> float:
@@ -67,7 +72,8 @@ def alphabar(m: Number, l: Number, gamma: Number) -> Number:  # noqa: E741
 
 def lambdabar(m: float, kappa: float) -> float:
     """Return the speed parameter, eq. (4)."""
-    k, b = to_float(ellipk(1 - kappa**2)), integral_combinations(kappa)[1]
+    a, b = integral_combinations(kappa)
+    k = a + b
     shape = b ** (5 / 3) / (6 ** (1 / 3) * kappa ** (4 / 3) * k**2)
     return 16 * math.pi ** (4 / 3) * m ** (-4 / 3) * shape
 
@@ -109,7 +115,15 @@ def corrected_film(m: float, l: float, d: float) -> float:  # noqa: E741
 
 def first_integral(kappa: float) -> float:
     """Return the elliptic integral K of eq. (3); 1 of a line contact, kappa = 0."""
-    return to_float(ellipk(1 - kappa**2)) if kappa > 0 else 1.0
+    return to_float(sum(integral_combinations(kappa))) if kappa > 0 else 1.0
+
+
+def second_integral(kappa: float) -> float:
+    """Return the elliptic integral E of eq. (3); 1 of a line contact, kappa = 0."""
+    if kappa == 0:
+        return 1.0
+    first, second = integral_combinations(kappa)
+    return to_float(second + kappa**2 * first)
 
 
 def moes_per_film(m: float, kappa: float) -> float:
@@ -120,25 +134,35 @@ def moes_per_film(m: float, kappa: float) -> float:
     return first_integral(kappa) / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
 
 
-def integral_combinations(kappa: float) -> tuple[float, float]:
+def integral_combinations(kappa: Number) -> tuple[Number, Number]:
     """Return (K - E)/(1 - kappa^2) and (E - kappa^2 K)/(1 - kappa^2); pi/4 each at kappa = 1.
 
-    By Carlson's R_D, in which nothing cancels: Carlson, Numerical Algorithms 10 (1995).
+    Their sum is K. By the arithmetic-geometric mean of 1 and kappa: K - E is K times a sum in which
+    nothing cancels (Abramowitz and Stegun 17.6), each term over 1 - kappa^2 here.
     """
     if isinstance(kappa, Dual):
         return _combinations_with_slopes(kappa)
-    k = kappa**2
-    return float(elliprd(0, k, 1)) / 3, k * float(elliprd(0, 1, k)) / 3
+    mean, geometric = (1 + kappa) / 2, kappa**0.5
+    half_difference = (1 - kappa) / 2
+    term = half_difference / (2 * (1 + kappa))
+    total = 0.5 + term
+    for n in range(1, MEANS):
+        mean, geometric = (mean + geometric) / 2, (mean * geometric) ** 0.5
+        growth = half_difference / (4 * mean)
+        half_difference = half_difference * growth
+        term = term * growth**2
+        total = total + 2**n * term
+    k = math.pi / 2 / mean
+    return k * total, k * (1 - total)
 
 
 def _combinations_with_slopes(kappa: Any) -> tuple[Any, Any]:  # noqa: ANN401 - a Dual
     """Return both with their derivatives by the parameter m = 1 - kappa^2, of E and K."""
-    first, second = integral_combinations(float(kappa.value))
-    m = 1 - float(kappa.value) ** 2
+    first, second = integral_combinations(kappa.value)
+    m = 1 - kappa.value**2
     k_slope = second / (2 * (1 - m))
-    if m < NEARLY_CIRCULAR:  # the difference cancels
-        first_slope = math.pi / 2 * (3 / 16 + 15 / 64 * m)
-    else:
-        first_slope = (second / (1 - m) - first) / (2 * m)
+    series = math.pi / 2 * (3 / 16 + 15 / 64 * m)  # the difference cancels near a circle
+    by_both = (second / (1 - m) - first) / (2 * np.maximum(m, NEARLY_CIRCULAR))
+    first_slope = np.where(m < NEARLY_CIRCULAR, series, by_both)
     by_m = -2 * kappa.value * kappa.slopes
     return Dual(first, first_slope * by_m), Dual(second, (k_slope - first_slope) * by_m)

@@ -1,13 +1,9 @@
-"""Derivatives of functions of numpy and scipy."""
+"""Derivatives of functions of numpy."""
 
 from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-import scipy.special
-
-SMALL = 1e-5
-"""Parameter of elliptic integrals below which their derivatives are series: others cancel."""
 
 UNDIFFERENTIATED = {
     *(np.equal, np.not_equal, np.less, np.less_equal, np.greater, np.greater_equal),
@@ -67,16 +63,6 @@ def _absolute(_: int, found: Any, given: Sequence[Any], slope: Any) -> Any:  # n
     return np.where(found == 0, 0.0, (np.conj(one) * slope).real / found)
 
 
-def _first_kind(found: Any, m: Any) -> Any:  # noqa: ANN401
-    by_both = (scipy.special.ellipe(m) / (1 - m) - found) / (2 * m)
-    return np.where(np.abs(m) < SMALL, np.pi / 2 * (1 / 4 + 9 / 32 * m), by_both)
-
-
-def _second_kind(found: Any, m: Any) -> Any:  # noqa: ANN401
-    by_both = (found - scipy.special.ellipk(m)) / (2 * m)
-    return np.where(np.abs(m) < SMALL, -np.pi / 2 * (1 / 4 + 3 / 32 * m), by_both)
-
-
 PARTIALS: dict[np.ufunc, Callable[..., Any]] = {
     np.add: lambda _k, _f, _g, slope: slope,
     np.subtract: lambda k, _f, _g, slope: -slope if k else slope,
@@ -109,8 +95,6 @@ PARTIALS: dict[np.ufunc, Callable[..., Any]] = {
     np.arcsinh: _of_one(lambda _, x: 1 / np.sqrt(1 + x**2)),
     np.radians: _of_one(lambda _f, _x: np.pi / 180),
     np.degrees: _of_one(lambda _f, _x: 180 / np.pi),
-    scipy.special.ellipk: _of_one(_first_kind),
-    scipy.special.ellipe: _of_one(_second_kind),
 }
 """Contributions of an argument to the derivatives: by its number, the value, all arguments, and
 its own derivatives."""

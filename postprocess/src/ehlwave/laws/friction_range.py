@@ -6,11 +6,15 @@ the ends of the contact contribute, not as the mean of its logarithm.
 """
 
 from numpy.typing import NDArray
-from scipy.special import ellipe
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.medium import hertz_medium
-from ehlwave.contact.scales import first_integral, integral_combinations, moes_per_film
+from ehlwave.contact.scales import (
+    first_integral,
+    integral_combinations,
+    moes_per_film,
+    second_integral,
+)
 from ehlwave.duals import math, np, to_float
 from ehlwave.error_bars import bar
 
@@ -69,7 +73,7 @@ def friction_outside(
     film = central_moes / moes_per_film(c.m, c.kappa)
     state = c.oil, c.kappa, c.alphabar, c.lambdabar, film, c.slip_parameter
     thinning = hertz_medium(*state).thinning
-    second = 1.0 if c.is_line else to_float(ellipe(1 - c.kappa**2))
+    second = second_integral(c.kappa)
     radius_over_a = (1 + c.d) * modulus_pa / (4 * second * c.hertz_pa)
     farthest = max(FEWEST_DOMAINS, radius_over_a / DOMAIN_X)
     edges = np.geomspace(1, farthest, STEPS + 1)

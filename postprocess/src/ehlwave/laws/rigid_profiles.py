@@ -4,6 +4,8 @@ Lengths are x = xi sqrt(2 Rx h) and y = zeta sqrt(2 Ry h), so that the profile d
 d/dxi (g^3 dQ/dxi) + D d/dzeta (g^3 dQ/dzeta) = 12 dg/dxi where Q > 0, and nowhere else.
 """
 
+from __future__ import annotations
+
 import math
 from functools import cache, lru_cache
 from typing import NamedTuple

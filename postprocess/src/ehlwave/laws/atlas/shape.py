@@ -5,11 +5,10 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import ellipk
 
 from ehlwave.contact.conditions import MOES_KEYS
 from ehlwave.contact.rolling import transfer_along
-from ehlwave.contact.scales import ellipticity, pressure_factor
+from ehlwave.contact.scales import ellipticity, integral_combinations, pressure_factor
 from ehlwave.duals import np
 from ehlwave.laws.atlas.coordinates import Complex, Floats, columns, hertz_film
 
@@ -92,7 +91,7 @@ class Shape:
         self.load = gamma * m
         film = hertz_film(m, l, d)
         self._log_film, self._inlet = np.log(film), INLET_SCALE * film ** (-2 / 3)
-        self._pi_k = np.pi * ellipk(1 - self.kappa**2)
+        self._pi_k = np.pi * sum(integral_combinations(self.kappa))
 
     @classmethod
     def of_keys(cls, keys: Mapping[str, ArrayLike]) -> "Shape":

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import scipy
 
 from ehlwave.errors import ResultsError
+from ehlwave.laws.atlas.classic import read_classic
 from ehlwave.laws.atlas.committee import LAYERS, Committee
 from ehlwave.laws.atlas.coordinates import Floats
 
@@ -48,7 +48,7 @@ def read_stored(path: str | Path) -> Stored:
         If it cannot be read, or has a wrong checksum.
     """
     try:
-        packed, attrs = read_packed(path)
+        packed, attrs = read_packed(Path(path).read_bytes())
     except (OSError, ValueError, TypeError, LookupError, EOFError) as error:
         raise ResultsError(f"{path}: cannot be read as an atlas ({error})") from error
     if checksum(packed, attrs) != attrs.get("checksum"):
@@ -56,17 +56,13 @@ def read_stored(path: str | Path) -> Stored:
     return Stored({name: variable.unpacked() for name, variable in packed.items()}, attrs)
 
 
-def read_packed(file: Any) -> tuple[dict[str, Packed], dict[str, Any]]:  # noqa: ANN401
-    """Return variables and attributes of a classic NetCDF file, by its path or opened."""
-    with scipy.io.netcdf_file(file, mmap=False) as opened:
-        packed = {
-            name: Packed(variable.data.copy(), getattr(variable, "scale_factor", None))
-            for name, variable in opened.variables.items()
-        }
-        return packed, {
-            key: value.decode() if isinstance(value, bytes) else value
-            for key, value in opened._attributes.items()
-        }
+def read_packed(data: bytes) -> tuple[dict[str, Packed], dict[str, Any]]:
+    """Return variables and attributes of a classic NetCDF file, by its bytes."""
+    arrays, attrs = read_classic(data)
+    packed = {
+        name: Packed(values, own.get("scale_factor")) for name, (values, own) in arrays.items()
+    }
+    return packed, attrs
 
 
 def committee_of(data: Stored, name: str) -> Committee:
