@@ -211,8 +211,12 @@ contains
       !> The largest hX whose declared error can be as small as the accuracy, however well coarser grids agree.
       pure real(dp) function provable_mesh(expected)
          real(dp), intent(in) :: expected     !! error by the mesh over the square of hX
-         provable_mesh = sqrt(room/least_error(amplitude_ratio, kind_of(is_fitted, conditions%is_line()), &
-                                                          expected + light_error(expected_film(conditions), is_fitted)))
+         type(roughness_t) :: both(2)
+         real(dp) :: light
+         both = case%surfaces()
+         light = light_error(expected_film(conditions), is_fitted, &
+                             pattern%waves > 0 .and. .not. any(both%wavelength_y_over_a > 0))
+         provable_mesh = sqrt(room/least_error(amplitude_ratio, kind_of(is_fitted, conditions%is_line()), expected + light))
       end function provable_mesh
 
       !> Error by the time steps on a mesh.
