@@ -118,38 +118,42 @@ contains
    end function expected_seconds
 
    !> Peak memory of the process to expect, in MiB, without MPI: a constant plus a share per computed cell, more on
-   !> finer grids, whose GMRES keeps more vectors. Measured within an eighth: 64 to 2048 cells along each side, M = 100
-   !> and, up to 1024, 1000; smooth, transverse waves of 0.5 a by their response, and marches.
+   !> finer grids, whose GMRES keeps more vectors; in single precision above `many_nodes`. Measured within an eighth: 64
+   !> to 2048 cells along each side, M = 100 and, up to 1024, 1000; smooth, transverse waves of 0.5 a by their response,
+   !> and marches.
    pure real(dp) function expected_memory_mib(self)
       class(bare_plan_t), intent(in) :: self
-      real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_multigrid = 325, bytes_wavy = 900, &
-         bytes_past = 165, &                                            ! the last period of waves
+      real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_short = 600, bytes_multigrid = 325, &
+         bytes_wavy = 900, bytes_past = 165, &                          ! the last period of waves
          bytes_timing = 64, &                                           ! bytes of a work unit, per timed cell
-         bytes_in_parts = 785, &     ! bytes of responses whose linear systems are not kept side by side
-         bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
+         bytes_in_parts = 762, &     ! bytes of responses whose linear systems are not kept side by side
+         bytes_response = 1710, bytes_line = 2600, bytes_periodic = 1900, &
          bytes_set = 48, &                                              ! three fields, and their file
-         bytes_fitted = 215                                             ! fluxes through faces
+         bytes_fitted = 215, bytes_faces = 150   ! fluxes through faces: of the fitted scheme, of other oils
       real(dp), parameter :: thread_mib = 1, bytes_thread = 600   ! rows, columns and lines of its own
-      real(dp), parameter :: usual_cells = 256*128, smooth_growth = 0.18_dp, response_growth = 0.06_dp
+      real(dp), parameter :: usual_cells = 256*128, smooth_growth = 0.18_dp, periodic_growth = 0.06_dp
       real(dp) :: bytes, cells, halvings   ! bytes of the mesh of `usual_cells`
       cells = real(self%cells_x, dp)*self%cells_y
       if (self%is_half) cells = cells/2
       halvings = 0.5_dp*log(max(1.0_dp, cells/usual_cells))/log(2.0_dp)
-      bytes = bytes_smooth*(1 + smooth_growth*halvings)
+      bytes = merge(bytes_short, bytes_smooth*(1 + smooth_growth*halvings), cells > many_nodes)
       if (self%is_by_multigrid) bytes = bytes_multigrid &
          + bytes_timing*min(real(self%cells_x, dp)*self%cells_y, real(largest_timed, dp))/cells
       if (self%kind /= run_smooth) bytes = max(bytes, bytes_wavy)
       if (self%kind == run_march .and. self%surfaces%repeat_soon()) bytes = bytes + bytes_past
-      if (self%is_periodic) bytes = bytes_periodic
+      if (self%is_periodic) bytes = bytes_periodic*(1 + periodic_growth*halvings**2)
       if (self%responds) bytes = max(bytes, bytes_response)
-      if (self%is_periodic .or. self%responds) bytes = bytes*(1 + response_growth*halvings**2)
-      if (self%is_by_multigrid .and. self%responds .and. cells > many_nodes) bytes = bytes_in_parts
+      if (self%responds .and. cells > many_nodes) bytes = bytes_in_parts
       if (self%conditions%is_line()) then
          bytes = bytes_line
          cells = self%cells_x
       end if
       bytes = bytes + self%bytes_of_effects
-      if (self%is_fitted) bytes = bytes + bytes_fitted
+      if (self%is_fitted) then
+         bytes = bytes + bytes_fitted
+      else if (self%levels > 0 .or. .not. self%rheology%is_newtonian()) then
+         bytes = bytes + bytes_faces
+      end if
       expected_memory_mib = program_mib + (bytes + bytes_set*self%field_sets)*cells/2.0_dp**20 &
                             + (self%threads - 1)*(thread_mib + bytes_thread*(self%cells_x + self%cells_y)/2.0_dp**20)
    end function expected_memory_mib

@@ -26,7 +26,7 @@ contains
          has_b = next_line(text, b, b_end)
          if (.not. (has_a .and. has_b)) exit
          number = number + 1
-         if (base(a:a_end)//line_end /= text(b:b_end)//line_end) &
+         if (a_end - a /= b_end - b .or. base(a:a_end) /= text(b:b_end)) &
             difference = difference//to_text(number)//':'//text(b:b_end)//line_end
       end do
       if (has_a .or. has_b) difference = '='//text
@@ -36,28 +36,39 @@ contains
    function text_from_difference(base, difference) result(text)
       character(len=*), intent(in) :: base, difference
       character(len=:), allocatable :: text
-      integer :: a, a_end, colon, d, d_end, io, number, wanted
+      character(len=:), allocatable :: buffer
+      integer :: a, a_end, colon, d, d_end, io, n, number, start, wanted
 
       if (index(difference, '=') == 1) then
          text = difference(2:)
          return
       end if
-      text = ''
+      allocate (character(len=len(base) + len(difference)) :: buffer)
+      n = 0
+      start = 1                                  ! of the part of the base that is not copied yet
       a_end = -1
       d_end = -1
       number = 0
       call find_next_difference()
       do while (next_line(base, a, a_end))
          number = number + 1
-         if (number == wanted) then
-            text = text//difference(colon + 1:d_end)//line_end
-            call find_next_difference()
-         else
-            text = text//base(a:a_end)//line_end
-         end if
+         if (number /= wanted) cycle
+         call append(base(start:a - 1))
+         call append(difference(colon + 1:d_end)//line_end)
+         start = a_end + 2
+         call find_next_difference()
+         if (wanted == 0) exit
       end do
+      call append(base(start:))
+      text = buffer(:n)
 
    contains
+
+      subroutine append(piece)
+         character(len=*), intent(in) :: piece
+         buffer(n + 1:n + len(piece)) = piece
+         n = n + len(piece)
+      end subroutine append
 
       subroutine find_next_difference()
          wanted = 0

@@ -1,4 +1,5 @@
 #define SCALAR complex(dp)
+#define COLUMN complex(sp)
 !> A contact linearised about its steady state, for changes that vary as exp(-i w T): the system of a small wave.
 module ehlwave_complex_linearised_contact
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_loc
@@ -13,7 +14,7 @@ module ehlwave_complex_linearised_contact
    use ehlwave_equations, only: equations_t
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, sp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_real_transfer, only: inject
    use ehlwave_near_kernel, only: near_kernel_t, new_near_kernel

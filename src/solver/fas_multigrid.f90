@@ -50,7 +50,8 @@ contains
       call self%direct%init(hierarchy, 1)
    end subroutine init
 
-   !> See the interface. A nonlinear step is a cycle, a linear one a sweep on this level.
+   !> See the interface. A nonlinear step is a cycle, a linear one a sweep on this level. The sweeps after the coarse
+   !> problem end where the tolerance is met.
    subroutine solve(self, hierarchy, l, limits, report)
       class(fas_t), intent(inout) :: self
       type(hierarchy_t), intent(inout), target :: hierarchy
@@ -58,7 +59,7 @@ contains
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
       real(dp) :: work_before, least
-      integer :: k, of_least
+      integer :: k, n, of_least
 
       least = huge(1.0_dp)
       of_least = 0
@@ -76,7 +77,7 @@ contains
          call problem%film_of_guess(given, state)
          call level%evaluate(problem, given)
          do k = 0, limits%largest_steps
-            call report%judge(given, level%equations, state, solve_limits_t(tolerance=limits%tolerance))
+            if (k == 0) call judge()
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled) exit
             if (report%residual > divergence*minval(report%history)) report%status = status_diverged
@@ -88,14 +89,29 @@ contains
             end if
             if (k - of_least >= patience) exit
             call fas_cycle(self, hierarchy, l, given, self%cycle, direct_share*report%residual)
+            report%linear_steps = report%linear_steps + sweeps_before
+            do n = 1, sweeps_after
+               call level%relax(problem, given, 1)
+               report%linear_steps = report%linear_steps + 1
+               call judge()
+               if (report%status /= status_stalled) exit
+            end do
             report%nonlinear_steps = k + 1
          end do
-         report%linear_steps = report%nonlinear_steps*(sweeps_before + sweeps_after)
          call state%exchange(hierarchy%levels(l)%state)
       end associate
+
+   contains
+
+      !> Judge the present state.
+      subroutine judge()
+         call report%judge(hierarchy%levels(l)%given, self%levels(l)%equations, self%levels(l)%state, &
+                           solve_limits_t(tolerance=limits%tolerance))
+      end subroutine judge
+
    end subroutine solve
 
-   !> A cycle from an evaluated state to an evaluated state.
+   !> A cycle from an evaluated state to an evaluated state, but for the sweeps after the coarse problem.
    recursive subroutine fas_cycle(self, hierarchy, l, given, cycle, tolerance)
       class(fas_t), intent(inout) :: self
       type(hierarchy_t), intent(inout) :: hierarchy
@@ -115,9 +131,10 @@ contains
       do visit = 1, merge(1, 2, cycle == 'v' .or. l == 2)
          call fas_cycle(self, hierarchy, l - 1, self%levels(l - 1)%given, &
                         merge('v', cycle, cycle == 'f' .and. visit == 2), tolerance)
+         if (l > 2) call self%levels(l - 1)%relax(hierarchy%levels(l - 1)%problem, self%levels(l - 1)%given, &
+                                                  sweeps_after)
       end do
       call self%levels(l)%correct(hierarchy%levels(l)%problem, given, self%levels(l - 1))
-      call self%levels(l)%relax(hierarchy%levels(l)%problem, given, sweeps_after)
    end subroutine fas_cycle
 
    !> Newton's method for the coarse problem of a finer level on the coarsest.

@@ -1,4 +1,5 @@
 #define SCALAR real(dp)
+#define COLUMN real(dp)
 !> A contact linearised about an iterate: the linear system of a Newton step.
 module ehlwave_real_linearised_contact
    use ehlwave_cycle_settings, only: cycle_settings_t, diagonal_shift

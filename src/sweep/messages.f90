@@ -1,9 +1,9 @@
 !> The messages between rank 0 and the others: all of MPI that the work on cases needs.
 !>
-!> A request is answered by a case (number 0: there is none), every case by its outcome, and rank 0 sends exactly one
-!> `stop` to each of the others. A case travels as its effective input with the digests of the files that it reads, so
-!> only rank 0 reads the sweep file; results do not travel: every rank stores its own. Rank 0 does not wait until a case
-!> is received: the receiver may be in the middle of a long step.
+!> A request is answered by cases, the last of them marked (number 0: there is none), every case by its outcome, and
+!> rank 0 sends exactly one `stop` to each of the others. A case travels as its effective input with the digests of the
+!> files that it reads, so only rank 0 reads the sweep file; results do not travel: every rank stores its own. Rank 0
+!> does not wait until a case is received: the receiver may be in the middle of a long step.
 module ehlwave_messages
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: case_from_text
@@ -25,7 +25,8 @@ module ehlwave_messages
    integer, parameter, public :: no_case = 0
    integer, parameter, public :: ask = 1, stop_work = 2   !! words: messages without anything in them
    integer, parameter :: tag_case = 3, tag_outcome = 4
-   integer, parameter :: number_digits = 12   !! digits of the number of a case, before its input; then T: keep fields
+   integer, parameter :: number_digits = 12   !! digits of the number of a case, before its input
+   integer, parameter :: marks = 2            !! behind it: T: keep fields; T: another case follows
 
    type :: letter_t
       character(len=:), allocatable :: text
@@ -34,8 +35,9 @@ module ehlwave_messages
 
    !> Messages on their way, which stay where they are until they are received: answers of rank 0, outcomes of another
    !> rank. A rank that has at most n unanswered requests has received its last answer but n when it asks again, and
-   !> rank 0 the outcomes before that, so that n places are enough for each receiver. (MPI_Send of more than 256 bytes
-   !> waits, in Open MPI 4.1, until the receiver looks at its messages: rank 0 does that between two cases of its own.)
+   !> rank 0 the outcomes before that, so that n places for each case of an answer are enough for each receiver.
+   !> (MPI_Send of more than 256 bytes waits, in Open MPI 4.1, until the receiver looks at its messages: rank 0 does
+   !> that between two cases of its own.)
    type, public :: outbox_t
       type(mpi_comm), private :: comm
       type(letter_t), allocatable, private :: letters(:, :)   ! (n, receivers)
@@ -86,28 +88,29 @@ contains
       call mpi_recv(nothing, 0, mpi_character, rank, word, comm, mpi_status_ignore)
    end subroutine receive_word
 
-   subroutine outbox_init(self, comm, first, last, unanswered)
+   subroutine outbox_init(self, comm, first, last, places)
       class(outbox_t), intent(out) :: self
       type(mpi_comm), intent(in) :: comm
       integer, intent(in) :: first, last   !! receivers: the ranks from first to last
-      integer, intent(in) :: unanswered    !! requests that a rank has at most
+      integer, intent(in) :: places        !! cases in all requests that a rank has at most
       self%comm = comm
-      allocate (self%letters(unanswered, first:last))
+      allocate (self%letters(places, first:last))
       allocate (self%place(first:last), source=0)
    end subroutine outbox_init
 
-   !> Rank 0: answer a request. Returns at once.
-   subroutine send_case(self, rank, number, input, has_fields, files)
+   !> Rank 0: answer a request, by a last case or some before it. Returns at once.
+   subroutine send_case(self, rank, number, input, has_fields, files, is_last)
       class(outbox_t), intent(inout) :: self
       integer, intent(in) :: rank, number
       character(len=*), intent(in), optional :: input       !! effective input of the case; absent: there is none
       logical, intent(in), optional :: has_fields           !! its fields are kept
       type(case_file_t), intent(in), optional :: files(:)   !! files of its plan
+      logical, intent(in), optional :: is_last              !! no other case follows
       character(len=:), allocatable :: text
 
       text = repeat(' ', number_digits)
       write (text, '(i12)') number
-      if (present(input)) text = text//merge('T', 'F', has_fields)//input//file_digests(files)
+      if (present(input)) text = text//merge('T', 'F', has_fields)//merge('F', 'T', is_last)//input//file_digests(files)
       call self%post(rank, tag_case, text)
    end subroutine send_case
 
@@ -147,12 +150,13 @@ contains
 
    !> Receive a case and plan it as rank 0 did. Fails when it does not come out the same, as where a file that it reads
    !> was changed since.
-   subroutine receive_case(comm, number, case, plan, input, error)
+   subroutine receive_case(comm, number, case, plan, input, is_last, error)
       type(mpi_comm), intent(in) :: comm
       integer, intent(out) :: number
       type(case_t), intent(out) :: case
       type(case_plan_t), intent(out) :: plan
       character(len=:), allocatable, intent(out) :: input   !! its effective input
+      logical, intent(out) :: is_last                       !! of an answer
       type(error_t), allocatable, intent(inout) :: error
       type(mpi_status) :: status
       character(len=:), allocatable :: text
@@ -164,9 +168,11 @@ contains
       allocate (character(len=length) :: text)
       call mpi_recv(text, length, mpi_character, 0, tag_case, comm, mpi_status_ignore)
       read (text(:number_digits), *) number
+      is_last = .true.
       if (number == no_case) return
+      is_last = text(number_digits + 2:number_digits + 2) == 'F'
       input_end = index(text, new_line('a'), back=.true.)
-      input = text(number_digits + 2:input_end)
+      input = text(number_digits + marks + 1:input_end)
       call case_from_text(input, case, error)
       if (.not. allocated(error)) then
          call list_case_keys(case, keys)

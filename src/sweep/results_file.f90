@@ -17,7 +17,7 @@ module ehlwave_results_file
    use ehlwave_results_column, only: column_t
    use ehlwave_status, only: status_name, status_pending
    use ehlwave_store, only: store_t
-   use ehlwave_store_contents, only: add_layout, contents_t
+   use ehlwave_store_contents, only: add_layout, contents_t, stored_case_t
    use ehlwave_sweep_cases, only: sweep_t
    implicit none (type, external)
    private
@@ -78,9 +78,11 @@ contains
       type(column_t), allocatable :: columns(:)
       type(quantity_list_t) :: inputs
       integer, allocatable :: number(:, :)        ! number of a column, in each layout; 0: absent
-      integer :: i, k, l
+      integer :: i, k, l, own                     ! own: number of the effective input, which a record has in short
+      logical :: has_all
 
       inputs = input_row(sweep, 1)
+      own = inputs%find('effective_input')
       allocate (columns(inputs%count), number(inputs%count, size(contents%layouts)))
       do k = 1, size(columns)
          call columns(k)%init(inputs%items(k), size(sweep%cases))
@@ -89,14 +91,17 @@ contains
          end do
       end do
       do i = 1, size(sweep%cases)
-         inputs = input_row(sweep, i)
+         has_all = .false.
+         if (place(i) > 0) has_all = contents%logs(contents%cases(place(i))%log)%is_by_this_build
+         if (has_all) then
+            inputs%items(own)%text = sweep%input(i)
+            call take_inputs(contents%cases(place(i)), number, own, inputs, has_all)
+         end if
+         if (.not. has_all) then
+            inputs = input_row(sweep, i)
+            if (place(i) > 0) call take_inputs(contents%cases(place(i)), number, own, inputs, has_all)
+         end if
          do k = 1, size(columns)
-            if (place(i) > 0) then
-               associate (record => contents%cases(place(i)))
-                  if (inputs%items(k)%name /= 'effective_input') &   ! which a record has in short
-                     call take_record(record%element(number(k, record%layout)), inputs%items(k))
-               end associate
-            end if
             call columns(k)%set(i, inputs%items(k))
          end do
       end do
@@ -105,14 +110,34 @@ contains
       end do
    end subroutine write_inputs
 
-   !> The value of a record, if it has that kind; an empty text counts as missing.
-   subroutine take_record(text, quantity)
-      character(len=*), intent(in) :: text
-      type(quantity_t), intent(inout) :: quantity
-      if (text == '' .or. text == '""') return
-      if ((index(text, '"') > 0) .neqv. (quantity%kind == 'text')) return
-      call take_json(text, quantity)
-   end subroutine take_record
+   !> The values of a record that have the kind of the column; an empty text counts as missing. A record of this build
+   !> that has all values that `inputs` have, and no others, needs nothing of the plan.
+   subroutine take_inputs(record, number, own, inputs, has_all)
+      type(stored_case_t), intent(in) :: record
+      integer, intent(in) :: number(:, :), own      !! as in `write_inputs`
+      type(quantity_list_t), intent(inout) :: inputs
+      logical, intent(out) :: has_all
+      character(len=:), allocatable :: text
+      integer :: k
+
+      has_all = .true.
+      do k = 1, size(number, 1)
+         if (k == own) cycle
+         text = record%element(number(k, record%layout))
+         associate (input => inputs%items(k))
+            if (text /= '' .and. text /= '""' .and. ((index(text, '"') > 0) .eqv. (input%kind == 'text'))) then
+               call take_json(text, input)
+               has_all = has_all .and. input%exists
+            else if (input%exists) then
+               if (text == '""' .and. input%kind == 'text') then
+                  has_all = has_all .and. input%text == ''
+               else
+                  has_all = .false.
+               end if
+            end if
+         end associate
+      end do
+   end subroutine take_inputs
 
    !> Inputs of a case, from the sweep file and the plan, varying keys included. Choices of the plan have the name of
    !> the key.

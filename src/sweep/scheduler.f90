@@ -1,13 +1,15 @@
 !> Dynamic distribution of cases over MPI ranks: the longest expected first, cases with a common steady state together.
 !>
-!> Rank 0 schedules and computes: it answers messages between the steps of its own cases. Every other rank
-!> keeps one case in reserve, so that nobody waits for rank 0, and has its first before rank 0 takes one. A single rank
-!> runs the same code without messages.
+!> Rank 0 schedules and computes: it answers messages between the steps of its own cases. Every other rank keeps an
+!> answer in reserve, so that nobody waits for rank 0, and has its first before rank 0 takes one. An answer is a case,
+!> or several that take `shortest_answer_s` together: rank 0 may look at messages only between two of its own cases. A
+!> single rank runs the same code without messages.
 module ehlwave_scheduler
    use ehlwave_case_definition, only: case_t
    use ehlwave_outcome, only: outcome_t
    use ehlwave_case_work, only: case_procedure, case_watch_t, work_on_case
    use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
    use ehlwave_messages, only: ask, is_waiting, next_message, no_case, outbox_t, receive_case, receive_outcome, &
       receive_word, send_word, stop_work
    use ehlwave_planned_case, only: case_plan_t
@@ -20,7 +22,9 @@ module ehlwave_scheduler
    private
    public :: follow, run_sweep
 
-   integer, parameter :: in_reserve = 2       !! unanswered requests of a worker: the case it runs and the next
+   integer, parameter :: in_reserve = 2       !! unanswered requests of a worker: the answer it works on and the next
+   integer, parameter :: most_in_answer = 8
+   real(dp), parameter :: shortest_answer_s = 0.1_dp
 
    !> Any other rank: hears when to stop.
    type, extends(case_watch_t) :: worker_t
@@ -80,7 +84,7 @@ contains
       call mpi_comm_size(comm, ranks)
       allocate (shared)
       leader%comm = comm
-      call leader%outbox%init(comm, 1, ranks - 1, in_reserve)
+      call leader%outbox%init(comm, 1, ranks - 1, in_reserve*most_in_answer)
       leader%asking = in_reserve*(ranks - 1)
       allocate (leader%has_stopped(ranks - 1), source=.false.)
       allocate (leader%put_off(ranks - 1), source=0)
@@ -189,21 +193,28 @@ contains
       call take_outcome(self, outcome)
    end subroutine take_back
 
-   !> Give a case, if any is left, to a rank that asks.
+   !> Give cases, if any are left, to a rank that asks; in the end one at a time.
    subroutine answer(self, rank)
       class(leader_t), intent(inout) :: self
       integer, intent(in) :: rank
-      integer :: case
+      integer :: case, left
+      real(dp) :: seconds
 
       if (self%is_stopping .or. self%queue%is_empty()) then
          self%asking = self%asking - 1
          call self%outbox%send_case(rank, no_case)
-      else
+         return
+      end if
+      seconds = 0
+      left = min(most_in_answer, 1 + self%queue%waiting/(2*in_reserve*(size(self%has_stopped) + 1)))
+      do while (left > 0)
          call self%queue%take(rank, case)
          self%running = self%running + 1
+         seconds = seconds + self%queue%expected_seconds(case)
+         left = merge(left - 1, 0, seconds < shortest_answer_s)
          call self%outbox%send_case(rank, case, self%sweep%input(case), self%sweep%cases(case)%fields, &
-                                    self%sweep%plans(case)%files)
-      end if
+                                    self%sweep%plans(case)%files, is_last=left == 0)
+      end do
    end subroutine answer
 
    !> A case is finished, or could not be: then all stop.
@@ -239,19 +250,20 @@ contains
       type(error_t), allocatable :: error
       character(len=:), allocatable :: input
       integer :: i, number, unanswered
+      logical :: is_last
 
       allocate (shared)
       worker%case_watch_t = watch
       worker%comm = comm
-      call outbox%init(comm, 0, 0, in_reserve)
+      call outbox%init(comm, 0, 0, in_reserve*most_in_answer)
       do i = 1, in_reserve
          call send_word(comm, 0, ask)
       end do
       unanswered = in_reserve
       do while (unanswered > 0)
          if (allocated(error)) deallocate (error)
-         call receive_case(comm, number, case, plan, input, error)
-         unanswered = unanswered - 1
+         call receive_case(comm, number, case, plan, input, is_last, error)
+         if (is_last) unanswered = unanswered - 1
          if (number == no_case) cycle
          call worker%look_at_clock()
          call worker%exchange()
@@ -264,6 +276,7 @@ contains
          if (outcome%is_store_broken .or. outcome%is_input_changed) worker%is_stopping = .true.
          outcome%case = number
          call outbox%send_outcome(outcome)
+         if (.not. is_last) cycle
          call send_word(comm, 0, ask)
          unanswered = unanswered + 1
       end do

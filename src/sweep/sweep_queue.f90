@@ -26,7 +26,7 @@ module ehlwave_sweep_queue
       integer, private :: next_group = 1             ! place in `sequence` of the first that nobody has begun
       integer, allocatable, private :: held(:)       ! (0:ranks - 1) group a rank works on, 0: none yet
       integer, allocatable, private :: first(:), next(:)   ! first waiting case of a group, next of its group; 0: none
-      integer, private :: waiting = 0                ! cases
+      integer :: waiting = 0                         !! cases that are left to take
       real(dp), allocatable, private :: left(:)      ! expected seconds of the waiting cases of a group
       real(dp), allocatable, private :: expected(:)  ! expected time of each case
       logical, allocatable, private :: to_run(:)
@@ -40,6 +40,7 @@ module ehlwave_sweep_queue
       procedure :: learn
       procedure :: sort
       procedure :: seconds_left
+      procedure :: expected_seconds
    end type queue_t
 
 contains
@@ -177,6 +178,14 @@ contains
          waiting = waiting(longest_first(self%left(waiting)))
       end associate
    end subroutine sort
+
+   !> Expected wall time of a case; huge when nothing is known yet.
+   pure real(dp) function expected_seconds(self, case) result(seconds)
+      class(queue_t), intent(in) :: self
+      integer, intent(in) :: case
+      seconds = huge(seconds)
+      if (self%model%is_fitted) seconds = self%total_over_model*self%expected(case)
+   end function expected_seconds
 
    !> Expected wall time of all cases that are not finished; negative when nothing is known yet.
    pure real(dp) function seconds_left(self)

@@ -131,7 +131,8 @@ contains
          associate (level => fas(k)%levels(size(fas(k)%levels)), other => newton%levels(size(newton%levels)))
             call test%check(level%report%status == status_converged, kinds(k)//' cycles converge')
             call test%check_equal(size(level%report%history), level%report%nonlinear_steps + 1, kinds(k)//': history')
-            call test%check_equal(level%report%linear_steps, 3*level%report%nonlinear_steps, kinds(k)//': sweeps')
+            call test%check(any(3*level%report%nonlinear_steps - level%report%linear_steps == [0, 1]), &
+                            kinds(k)//': sweeps, of which the last may not be needed')
             call test%check(level%report%load_error <= 1e-9_dp .and. level%report%residual <= 1e-9_dp, kinds(k)//': errors')
             call test%check_close(maxval(abs(level%state%p - other%state%p)), 0.0_dp, kinds(k)//': pressure', absolute=1e-8_dp)
             call test%check_close(level%state%h(100, 0), other%state%h(100, 0), kinds(k)//': film', relative=1e-8_dp)

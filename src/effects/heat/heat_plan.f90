@@ -10,7 +10,7 @@ module ehlwave_heat_plan
    private
 
    real(dp), parameter :: cost = 4       !! cost of a solution with heat, relative to isothermal; measured: 1.3 to 5
-   real(dp), parameter :: bytes_level = 145   !! memory of a level across the film per cell; measured: within a tenth
+   real(dp), parameter :: bytes_level = 175   !! memory of a level across the film per cell; measured: within a tenth
 
    type, extends(effect_plan_t), public :: heat_plan_t
       logical :: is_given = .false.
