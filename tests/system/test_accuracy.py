@@ -86,7 +86,7 @@ class Accuracy(TestCase):
             return plan["expected_total_work_units"]*plan["cells_x"]*plan["cells_y"]*math.log2(4*plan["cells_x"]*plan["cells_y"])
 
         taken = set()
-        for load, wavelength, accuracy, gain in [(100, 0.5, 0.005, 1.5), (100, 0.5, 0.01, 2), (100, 2, 0.01, 2), (300, 0.5, 0.005, 2), (300, 0.5, 0.01, 2)]:
+        for load, wavelength, accuracy, gain in [(100, 0.5, 0.005, 1.5), (100, 0.5, 0.01, 2), (100, 2, 0.01, 2), (300, 0.5, 0.005, 2), (300, 0.5, 0.01, 2), (20, 1, 0.01, 1)]:
             with self.subTest(load=load, wavelength=wavelength, accuracy=accuracy):
                 groups = changed(WAVY, {"conditions": {"load_parameter_m": load}, "waviness": {"wavelength_over_a": wavelength},
                                         "solver": {"accuracy": accuracy}})

@@ -60,7 +60,7 @@ class InletWarming(TestCase):
 class LargeErrors(TestCase):
     def test_a_film_that_is_hardly_known(self):
         """Slender and heavy, with an accuracy that the central film reaches: a warning of the smallest film alone."""
-        result = solve(m=9000, l=13.2, d=0.031, grid={"edges": "flooded"}, solver={"accuracy": 0.02})
+        result = solve(m=20000, l=13.2, d=0.03, grid={"edges": "flooded"}, solver={"accuracy": 0.02})
         self.assertLess(result["central_film_error"], 0.02)
         self.assertGreater(result["minimum_film_error"], 0.3)
         self.assertIn(f"large errors: smallest H {100*result['minimum_film_error']:.2g} %;", result["warning"])
