@@ -22,9 +22,9 @@ module ehlwave_accuracy_model
    !> where this share of their own error is 0.05 to 0.18.
    real(dp), parameter, public :: fitted_share = 1/20.0_dp
    !> Relative error of Ad/Ai and responses by waves along X of a fitted scheme: over the inverse fourth power of their
-   !> points, and under slip over S - 1 and the inverse square; see `resolution_t` for points under slip. Measured: 0.4 to 0.6 (M = 100, D = 1, transverse, 0.25
-   !> a, 4 and 6 points); up to 2.3 (15 contacts, M = 49 to 761, D = 0.13 to 0.88, S = 1.5 to 1.9). Of the averaged
-   !> scheme it is part of the other.
+   !> points, and under slip over S - 1 and the inverse square; see `resolution_t` for points under slip. Measured: 0.4
+   !> to 0.6 (M = 100, D = 1, transverse, 0.25 a, 4 and 6 points); up to 2.3 (15 contacts, M = 49 to 761, D = 0.13 to
+   !> 0.88, S = 1.5 to 1.9). Of the averaged scheme it is part of the other.
    real(dp), parameter, public :: wave_x_factor = 1
    real(dp), parameter :: slip_factor = 3.5_dp
    real(dp), parameter :: step_by_inlet = 0.0108_dp        !! model 'time_step'
@@ -65,7 +65,8 @@ contains
    end function expected_film_error
 
    !> Relative error of H(0,0) by differences of third order, theory eq. (D12), of a fitted scheme. Where the viscosity
-   !> hardly rises no error by the inlet cancels it; measured there: 0.1 to 0.19 (hX/inlet)^3 (0.2 to 0.6 inlet lengths).
+   !> hardly rises no error by the inlet cancels it; measured there: 0.1 to 0.19 (hX/inlet)^3, with 0.2 to 0.6 inlet
+   !> lengths.
    elemental real(dp) function upstream_error(inlet)
       real(dp), intent(in) :: inlet   !! hX over the length of the inlet
       upstream_error = 0.19_dp*inlet**3

@@ -212,11 +212,11 @@ contains
       pure real(dp) function provable_mesh(expected)
          real(dp), intent(in) :: expected     !! error by the mesh over the square of hX
          type(roughness_t) :: both(2)
-         real(dp) :: light
+         real(dp) :: all_of_it
          both = case%surfaces()
-         light = light_error(expected_film(conditions), is_fitted, &
-                             pattern%waves > 0 .and. .not. any(both%wavelength_y_over_a > 0))
-         provable_mesh = sqrt(room/least_error(amplitude_ratio, kind_of(is_fitted, conditions%is_line()), expected + light))
+         all_of_it = expected + light_error(expected_film(conditions), is_fitted, &
+                                            pattern%waves > 0 .and. .not. any(both%wavelength_y_over_a > 0))
+         provable_mesh = sqrt(room/least_error(amplitude_ratio, kind_of(is_fitted, conditions%is_line()), all_of_it))
       end function provable_mesh
 
       !> Error by the time steps on a mesh.

@@ -7,8 +7,8 @@ module ehlwave_grid
    implicit none (type, external)
    private
 
-   !> Nodes in a direction around the centre for values there. Measured on waves of 6.7 cells, where the centre is between
-   !> nodes: cubics through four are 1.8 per cent off.
+   !> Nodes in a direction around the centre for values there. Measured on waves of 6.7 cells, where the centre is
+   !> between nodes: cubics through four are 1.8 per cent off.
    integer, parameter :: nearest = 8
    integer, parameter, public :: centre_nodes = nearest**2
    public :: new_grid, new_line_grid

@@ -32,7 +32,7 @@ module ehlwave_face_flow
       real(dp), allocatable :: own(:, :), cross(:, :)
       real(dp), allocatable :: by_p1(:, :), by_p2(:, :)
       real(dp), allocatable :: by_h1(:, :), by_h2(:, :)
-      ! Of fitted faces along X, see `ehlwave_raised_flux`: s and 1/(8 Hm), derivative by H of the next nodes but one
+      ! fitted faces along X, see `ehlwave_raised_flux`: s and 1/(8 Hm), derivative by H of the next nodes but one
       logical :: is_raised = .false.
       real(dp), allocatable :: slope(:, :), thin(:, :), outer(:, :)
       real(dp) :: work = 0   !! operations of the last evaluation, see `ehlwave_work_unit`
