@@ -1,6 +1,6 @@
 !> The plan of one case without its effects: what is computed, on which grid, in how many steps, and why.
 module ehlwave_bare_plan
-   use ehlwave_accuracy_model, only: expected_film_error, light_error, upstream_error, wave_x_error
+   use ehlwave_accuracy_model, only: expected_film_error, light_error, wave_x_error
    use ehlwave_case_files, only: case_file_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_error_parts, only: error_parts_t
@@ -86,7 +86,6 @@ contains
    pure real(dp) function expected_film_mesh_error(self)
       class(bare_plan_t), intent(in) :: self
       expected_film_mesh_error = self%steepness*expected_film_error(self%conditions, self%hx)
-      if (self%is_fitted) expected_film_mesh_error = expected_film_mesh_error + upstream_error(self%resolution%inlet)
    end function expected_film_mesh_error
 
    !> Relative error of Ad/Ai by the points on waves along X: a part of its own with the fitted scheme.

@@ -1,7 +1,7 @@
 !> Errors of smooth film and friction: by the mesh, and by the edges of the domain.
 module ehlwave_film_errors
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_accuracy_model, only: expected_film_error, light_film_error
+   use ehlwave_accuracy_model, only: expected_film_error, light_film_error, upstream_error
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_factors, only: by_domain, central_film, friction, smallest_film
@@ -40,6 +40,7 @@ contains
       kind = kind_of(plan%is_fitted, plan%conditions%is_line())
       order = merge(1.0_dp, 2.0_dp, plan%effects%are_first_order())
       light = light_film_error(result%central_film)*plan%hx**2
+      if (plan%is_fitted) light = light + upstream_error(plan%resolution%inlet)
       associate (levels => multigrid%levels(n:1:-1), steeper => 1 + result%effects%steepening(result%central_film))
          associate (expected => steeper*plan%expected_film_mesh_error() + light)
             central = mesh_error(central_film, kind, levels%central_film, expected, order)

@@ -89,7 +89,7 @@ contains
       type(case_t) :: case
       type(case_plan_t) :: averaged, one, plan
 
-      case = with_waves(100.0_dp, 0.5_dp)
+      case = with_waves(20.0_dp, 1.0_dp)
       case%response = 'transient'
       case%time_step_over_cell = 0
       plan = plan_of(test, case)
