@@ -183,8 +183,8 @@ def test_one_central_film_on_one_object() -> None:
 
 
 def test_the_program_warns_of_every_large_error() -> None:
-    """A loaded 6208 (M = 9,000) at a loose accuracy has no useful smallest film."""
-    race = ehlwave.Contact(**RACE | {"load_parameter_m": 9000})
+    """A far too heavy load (M = 20,000) at a loose accuracy leaves no useful smallest film."""
+    race = ehlwave.Contact(**RACE | {"load_parameter_m": 20_000})
     found = run_case(case_keys(race.conditions) | {"accuracy": 0.02})
     assert found["status"] == "converged"
     assert found["minimum_film_error"] > 0.3
