@@ -16,7 +16,7 @@ module ehlwave_plan_effort
    !> step is finished.
    real(dp), parameter, public :: most_work = 10
    real(dp), parameter :: share_of_most = 0.8_dp
-   real(dp), parameter, public :: most_finer_work = 3   !! times that cap, with finer runs for an accuracy
+   real(dp), parameter, public :: most_finer_work = 6   !! times that cap, with finer runs for an accuracy
    real(dp), parameter :: estimate_cost = 0.15_dp    !! of the coarser grids of a case, whose steps are dT = hX, over
                                                      !! a march with such steps,
    real(dp), parameter :: standing_estimate_cost = 0.35_dp   !! and over a standing pattern
