@@ -10,7 +10,7 @@ module ehlwave_accuracy_model
    implicit none (type, external)
    private
    public :: expected_film_error, expected_long_step_error, expected_ratio_error, expected_step_error, light_error, &
-      light_film_error, largest_mesh, points_for, slip_part, steady_work_units, step_work_units, upstream_error, &
+      light_film_error, largest_mesh, mesh_for_waves, points_for, steady_work_units, step_work_units, upstream_error, &
       wave_x_error
 
    real(dp), parameter :: film_factor = 0.172_dp           !! model 'film'
@@ -25,7 +25,7 @@ module ehlwave_accuracy_model
    !> points, and under slip over S - 1 and the inverse square; see `resolution_t` for points under slip. Measured: 0.4
    !> to 0.6 (M = 100, D = 1, transverse, 0.25 a, 4 and 6 points); up to 2.3 (15 contacts, M = 49 to 761, D = 0.13 to
    !> 0.88, S = 1.5 to 1.9). Of the averaged scheme it is part of the other.
-   real(dp), parameter, public :: wave_x_factor = 1
+   real(dp), parameter :: wave_x_factor = 1
    real(dp), parameter :: slip_factor = 3.5_dp
    real(dp), parameter :: step_by_inlet = 0.0108_dp        !! model 'time_step'
    !> Factor of the inverse cube of the steps per wave. Measured: 0.5 to 0.9 (M = 100, D = 1, 0.5 a, 3 to 16 steps).
@@ -109,6 +109,18 @@ contains
       real(dp), intent(in) :: slip             !! largest speed of a rough surface over the mean one
       wave_x_error = wave_x_factor/points**4 + slip_part(slip)/points**2
    end function wave_x_error
+
+   !> The mesh size in X on which waves leave as much of an error as `mesh` leaves without `wave_x_error`: the part by
+   !> `mesh` grows with its square.
+   elemental real(dp) function mesh_for_waves(mesh, waves, slip, error)
+      real(dp), intent(in) :: mesh             !! mesh size
+      real(dp), intent(in) :: waves            !! points on a wave are 1/(waves hX)
+      real(dp), intent(in) :: slip             !! as in `wave_x_error`
+      real(dp), intent(in) :: error            !! in all, above 0
+      real(dp) :: by_square
+      by_square = 1/mesh**2 + slip_part(slip)*waves**2/error
+      mesh_for_waves = sqrt(2/(by_square + sqrt(by_square**2 + 4*wave_x_factor/error*waves**4)))
+   end function mesh_for_waves
 
    !> The part of `wave_x_error` by slip, times the square of the points.
    elemental real(dp) function slip_part(slip)

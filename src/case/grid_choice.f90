@@ -1,7 +1,7 @@
 !> The grid of a case: cells as given, or the smallest of a list of sizes that resolves inlet sweep and waves.
 module ehlwave_grid_choice
    use ehlwave_accuracy_model, only: expected_long_step_error, expected_step_error, fitted_share, largest_mesh, &
-      light_error, points_for, slip_part, wave_x_factor
+      light_error, mesh_for_waves, points_for
    use ehlwave_case_definition, only: case_t, usual_largest_cells
    use ehlwave_conditions, only: conditions_t
    use ehlwave_effects_plan, only: effects_plan_t
@@ -155,7 +155,9 @@ contains
       logical, intent(in) :: is_fitted           !! scheme
       integer, intent(in) :: cells_per_step      !! dT/hX, see `choose_grid`
       integer, parameter :: halvings = 30
-      real(dp) :: by_model, by_square, left, provable, ratio, room, step
+      type(roughness_t) :: both(2)
+      logical :: varies_along_y
+      real(dp) :: by_model, left, provable, ratio, room, step
       real(dp) :: share                          ! of the mesh without the error of longer steps
       integer :: n
 
@@ -167,12 +169,12 @@ contains
          accurate_mesh = largest_mesh(conditions, left, ratio, pattern%moves)
       end if
       accurate_mesh = accurate_mesh/sqrt(steepness)
-      if (pattern%waves > 0 .and. is_fitted) then   ! (hX/mesh)^2 + error by waves/left = 1
-         by_square = 1/accurate_mesh**2 + slip_part(pattern%slip)*pattern%waves**2/left
-         accurate_mesh = sqrt(2/(by_square + sqrt(by_square**2 + 4*wave_x_factor/left*pattern%waves**4)))
-      end if
+      if (pattern%waves > 0 .and. is_fitted) &
+         accurate_mesh = mesh_for_waves(accurate_mesh, pattern%waves, pattern%slip, left)
       if (.not. pattern%has_ratio) return
       if (case%response == 'harmonic') return
+      both = case%surfaces()
+      varies_along_y = any(both%wavelength_y_over_a > 0)
       room = room_of_proof()
       provable = provable_mesh(left/accurate_mesh**2)
       if (.not. pattern%moves) accurate_mesh = ratio**0.25_dp*accurate_mesh
@@ -199,11 +201,9 @@ contains
 
       !> Declared error that waves in time may have by the mesh and by longer steps.
       pure real(dp) function room_of_proof()
-         type(roughness_t) :: both(2)
          real(dp) :: others
-         both = case%surfaces()
          others = expected_others(case)
-         if (any(both%wavelength_y_over_a > 0)) others = others + least_error(amplitude_ratio, &
+         if (varies_along_y) others = others + least_error(amplitude_ratio, &
             kind_of(is_fitted, conditions%is_line()), share_of_waves*case%accuracy)
          room_of_proof = share_of_proof*max((1 - largest_others)*case%accuracy, case%accuracy - others)
       end function room_of_proof
@@ -211,11 +211,9 @@ contains
       !> The largest hX whose declared error can be as small as the accuracy, however well coarser grids agree.
       pure real(dp) function provable_mesh(expected)
          real(dp), intent(in) :: expected     !! error by the mesh over the square of hX
-         type(roughness_t) :: both(2)
          real(dp) :: all_of_it
-         both = case%surfaces()
          all_of_it = expected + light_error(expected_film(conditions), is_fitted, &
-                                            pattern%waves > 0 .and. .not. any(both%wavelength_y_over_a > 0))
+                                            pattern%waves > 0 .and. .not. varies_along_y)
          provable_mesh = sqrt(room/least_error(amplitude_ratio, kind_of(is_fitted, conditions%is_line()), all_of_it))
       end function provable_mesh
 

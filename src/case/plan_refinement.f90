@@ -50,10 +50,11 @@ contains
          room = room + 0.5_dp*parts%domain
       end if
       if (.not. room > 0) return
-      ! mesh/factor^2 + first_order/factor = aim room
-      factor = 0.5_dp*(first_order + sqrt(first_order**2 + 4*parts%mesh*aim*room))/(aim*room)
-      ! waves of few points have errors of higher order with a fitted scheme, which has no parts of first order
-      if (case%has_ratio() .and. plan%is_fitted) factor = (parts%mesh/(aim*room))**(1/3.0_dp)
+      if (case%has_ratio() .and. plan%is_fitted) then   ! waves of few points have errors of higher order
+         factor = (parts%mesh/(aim*room))**(1/3.0_dp)
+      else                                              ! mesh/factor^2 + first_order/factor = aim room
+         factor = 0.5_dp*(first_order + sqrt(first_order**2 + 4*parts%mesh*aim*room))/(aim*room)
+      end if
       factor = min(max(1.0_dp, factor), largest_factor)
       factor = factor*scale/plan%domain_scale
       do

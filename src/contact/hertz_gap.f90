@@ -1,7 +1,7 @@
 !> The gap between the dry bodies outside the Hertz zone, at places that far fields need.
 !>
 !> In units of the contact a gap depends on the ratio of the radii alone, so contacts that differ in load and oil share
-!> it: the gaps at the last places are kept. A case needs those of its plan and its grids; cases of a sweep often need
+!> it: the gaps at the last places are kept. A case needs gaps for its plan and its grids; cases of a sweep often need
 !> the same ones. Called by a single thread.
 module ehlwave_hertz_gap
    use ehlwave_conditions, only: conditions_t
@@ -154,8 +154,7 @@ contains
    !>     w)^(1/2),
    !>
    !> c = 1/kappa^2, Y' = Y/kappa, w0 where the first factor vanishes; by w = (1 + w0)/t^2 - 1 an integral from 0 to 1.
-   !> Of a line
-   !> |X| (X^2 - 1)^(1/2) - arcosh |X|, (F4).
+   !> A line has |X| (X^2 - 1)^(1/2) - arcosh |X|, (F4).
    pure real(dp) function hertz_gap(conditions, x, y, rule) result(gap)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x, y

@@ -48,14 +48,12 @@ contains
          faces%cross(:n - 1, j) = bend*faces%cross(:n - 1, j)
          faces%by_p1(:n - 1, j) = bend*faces%by_p1(:n - 1, j)
          faces%by_p2(:n - 1, j) = bend*faces%by_p2(:n - 1, j)
-         q = bend*q*faces%thin(:n - 1, j)         ! less the change of q by that of far
-         faces%outer(1:n - 2, j) = -q(1:n - 2)
+         q = bend*q*faces%thin(:n - 1, j)         ! falls as `far` grows
+         q([0, n - 1]) = 0                        ! the film is straight at the ends
+         faces%outer(:n - 1, j) = -q
          q = q*far/both
          faces%by_h1(:n - 1, j) = bend*faces%by_h1(:n - 1, j) + q
          faces%by_h2(:n - 1, j) = bend*faces%by_h2(:n - 1, j) + q
-         ! straight at the first and the last face: far is both
-         faces%by_h1([0, n - 1], j) = faces%by_h1([0, n - 1], j) - q([0, n - 1])
-         faces%by_h2([0, n - 1], j) = faces%by_h2([0, n - 1], j) - q([0, n - 1])
       end do
    end subroutine raise_order
 
@@ -75,7 +73,7 @@ contains
       end do
    end function raised_row
 
-   !> Change of s along row j by that of H.
+   !> Change of s along row j by a change of H.
    pure function slope_change(faces, j, dh) result(ds)
       type(face_flow_t), intent(in) :: faces
       integer, intent(in) :: j

@@ -32,7 +32,7 @@ contains
       real(dp), intent(in) :: tolerance              !! tolerance of the solution
       type(case_result_t), intent(inout) :: result
       type(mesh_error_t) :: central, smallest
-      real(dp) :: light                              ! error by the model: of a film that no steep inlet makes
+      real(dp) :: light                              ! error by the model that no steep inlet makes
       real(dp) :: order                              ! of errors by the mesh
       integer :: kind, n
 
