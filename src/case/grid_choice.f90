@@ -37,7 +37,7 @@ module ehlwave_grid_choice
    real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp
    !> Share of the mesh of what the other parts leave to waves in time: their estimate has a margin. Other parts may
    !> take `largest_others`: with more no mesh would do.
-   real(dp), parameter :: share_of_march = 0.6_dp, largest_others = 0.6_dp
+   real(dp), parameter :: share_of_march = 0.45_dp, largest_others = 0.6_dp
    real(dp), parameter :: share_of_proof = 0.85_dp        !! share of the least declared error of waves in time
 
 contains

@@ -137,7 +137,7 @@ contains
       type(case_input_t), intent(inout) :: input
       type(key_list_t), intent(in) :: list
       real(dp), parameter :: loosest_step_tolerance = 1e-3_dp
-      real(dp), parameter :: share_of_amplitude = 0.2_dp   !! share of the accuracy
+      real(dp), parameter :: share_of_amplitude = 0.02_dp  !! share of the accuracy
       type(case_t) :: usual
 
       associate (case => input%case)
@@ -146,7 +146,7 @@ contains
          if (is_free('time_step_over_cell')) case%time_step_over_cell = 0
          ! with truncated edges cases are as before errors had parts
          if (is_free('settling_periods') .and. case%edges == 'flooded') case%settling_periods = 2
-         if (is_free('step_tolerance')) case%step_tolerance = min(loosest_step_tolerance, 0.05_dp*case%accuracy)
+         if (is_free('step_tolerance')) case%step_tolerance = min(loosest_step_tolerance, 0.1_dp*case%accuracy)
          if (is_free('tolerance')) case%tolerance = min(usual%tolerance, 1e-3_dp*case%accuracy)
          if (case%edges == 'truncated' .or. case%response == 'harmonic' .or. .not. case%has_linear_range()) return
          call choose_amplitude(case%roughness_t, 'amplitude_over_film')

@@ -14,7 +14,7 @@ module ehlwave_plan_refinement
    private
    public :: refine_plan
 
-   real(dp), parameter :: aim = 0.7_dp             !! share of the accuracy left to the mesh: estimates scatter
+   real(dp), parameter :: aim = 0.75_dp            !! share of the accuracy left to the mesh: estimates scatter
    real(dp), parameter :: largest_factor = 3       !! factor on the cells in a direction, at once
    real(dp), parameter :: smallest_factor = 1.1_dp, step_back = 0.85_dp   !! the same, where the work that is left is
                                                                           !! not enough
@@ -50,7 +50,7 @@ contains
          room = room + 0.5_dp*parts%domain
       end if
       if (.not. room > 0) return
-      if (case%has_ratio() .and. plan%is_fitted) then   ! waves of few points have errors of higher order
+      if (plan%is_fitted) then                          ! films have errors of order 2 to 3, waves of higher order
          factor = (parts%mesh/(aim*room))**(1/3.0_dp)
       else                                              ! mesh/factor^2 + first_order/factor = aim room
          factor = 0.5_dp*(first_order + sqrt(first_order**2 + 4*parts%mesh*aim*room))/(aim*room)

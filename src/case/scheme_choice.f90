@@ -29,23 +29,25 @@ module ehlwave_scheme_choice
 contains
 
    !> The scheme of a case that leaves the choice: fitted where an accuracy is asked for that it reaches with clearly
-   !> fewer cells, in marches with less work. Cases with truncated edges keep the averaged scheme.
+   !> fewer cells, in marches with less work, or on cells given that are too few without it. Cases with truncated edges
+   !> keep the averaged scheme.
    subroutine choose_scheme(case, conditions)
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(in) :: conditions
       real(dp) :: averaged
 
       if (case%scheme /= 'auto' .or. .not. suits(case)) return
-      if (.not. case%accuracy > 0 .or. case%cells_x > 0 .or. case%edges == 'truncated') return
+      if (.not. case%accuracy > 0 .or. case%edges == 'truncated') return
       if (.not. case%marches() .and. conditions%is_line()) return
       if (any(case%method == ['fas  ', 'petsc'])) return   ! FAS does not always find its steady states
-      if (case%marches() .and. case%is_rough()) then
-         if (march_work(case, conditions, .true.) < march_work(case, conditions, .false.)) case%scheme = 'fitted'
-         return
-      end if
       averaged = averaged_cells(case, conditions)
-      if (averaged > most_averaged .and. cells(case, conditions, .true., 1) <= largest_share*averaged) &
+      if (case%cells_x > 0) then
+         if (averaged > case%cells_x .and. cells(case, conditions, .true., 1) < averaged) case%scheme = 'fitted'
+      else if (case%marches() .and. case%is_rough()) then
+         if (march_work(case, conditions, .true.) < march_work(case, conditions, .false.)) case%scheme = 'fitted'
+      else if (averaged > most_averaged .and. cells(case, conditions, .true., 1) <= largest_share*averaged) then
          case%scheme = 'fitted'
+      end if
    end subroutine choose_scheme
 
    !> Relative work of a march with its best time step.
