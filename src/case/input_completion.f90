@@ -146,7 +146,8 @@ contains
          if (is_free('time_step_over_cell')) case%time_step_over_cell = 0
          ! with truncated edges cases are as before errors had parts
          if (is_free('settling_periods') .and. case%edges == 'flooded') case%settling_periods = 2
-         if (is_free('step_tolerance')) case%step_tolerance = min(loosest_step_tolerance, 0.1_dp*case%accuracy)
+         if (is_free('step_tolerance')) case%step_tolerance = min(loosest_step_tolerance, case%accuracy* &
+            merge(0.05_dp, 0.1_dp, case%edges == 'truncated'))
          if (is_free('tolerance')) case%tolerance = min(usual%tolerance, 1e-3_dp*case%accuracy)
          if (case%edges == 'truncated' .or. case%response == 'harmonic' .or. .not. case%has_linear_range()) return
          call choose_amplitude(case%roughness_t, 'amplitude_over_film')

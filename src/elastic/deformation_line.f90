@@ -7,7 +7,7 @@ module ehlwave_deformation_line
    use ehlwave_fftw_memory, only: allot
    use ehlwave_kernel_transform, only: fast_length
    use ehlwave_grid, only: grid_t
-   use ehlwave_kernel, only: cell_influence, line_wave_influence
+   use ehlwave_kernel, only: kernel_t, new_kernel
    use ehlwave_kinds, only: dp
    use ehlwave_work_unit, only: transform_operations
    implicit none (type, external)
@@ -19,7 +19,7 @@ module ehlwave_deformation_line
    type, extends(deformation_t), public :: deformation_line_t
       private
       integer :: nx = 0                      ! as in the grid
-      real(dp) :: hx = 0
+      type(kernel_t) :: kernel
       real(dp), allocatable :: spectrum(:)   ! (modes) kernel transform over the padded length
       real(dp) :: along = 0                  ! wave number along the line of the pressures at hand
       real(dp) :: known_along = 0            ! wave number of the spectrum below
@@ -50,7 +50,7 @@ contains
 
       call release(self)
       self%nx = grid%nx
-      self%hx = grid%hx
+      self%kernel = new_kernel(grid, kappa, k)
       self%along = 0
       self%known_along = 0
       n = fast_length(2*grid%nx)
@@ -61,7 +61,7 @@ contains
       self%modes(1:n/2 + 1) => modes
       self%forward = obtained(fftw_plan_dft_r2c_1d(n, self%row, self%modes, FFTW_ESTIMATE), length)
       self%backward = obtained(fftw_plan_dft_c2r_1d(n, self%modes, self%row, FFTW_ESTIMATE), length)
-      self%row = cell_influence([(min(i, n - i)*grid%hx, i=0, n - 1)], 0.0_dp, grid%hx, grid%hy, kappa, k)
+      self%row = self%kernel%at([(min(i, n - i), i=0, n - 1)], 0)
       call fftw_execute_dft_r2c(self%forward, self%row, self%modes)
       self%spectrum = real(self%modes, dp)/n      ! the kernel is even, so its transform is real
       self%convolution = 2*transform_operations(real(n, dp))
@@ -90,12 +90,15 @@ contains
    subroutine vary_along(self, wave_number)
       class(deformation_line_t), intent(inout) :: self
       real(dp), intent(in) :: wave_number
+      type(kernel_t) :: kernel
       integer :: i, n
 
       self%along = wave_number
       if (.not. wave_number > 0 .or. abs(wave_number - self%known_along) <= 0) return
       n = size(self%row)
-      self%row = [(line_wave_influence(min(i, n - i)*self%hx, self%hx, wave_number), i=0, n - 1)]
+      kernel = self%kernel
+      kernel%along = wave_number
+      self%row = kernel%at([(min(i, n - i), i=0, n - 1)], 0)
       call fftw_execute_dft_r2c(self%forward, self%row, self%modes)
       self%spectrum_along = real(self%modes, dp)/n
       self%known_along = wave_number

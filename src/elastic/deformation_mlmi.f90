@@ -14,8 +14,9 @@
 module ehlwave_deformation_mlmi
    use ehlwave_deformation, only: deformation_t
    use ehlwave_grid, only: grid_t
+   use ehlwave_kernel, only: new_kernel
    use ehlwave_kinds, only: dp
-   use ehlwave_mlmi_correction, only: along_x, along_y, sampled_kernel_t
+   use ehlwave_mlmi_correction, only: along_x, along_y
    use ehlwave_mlmi_level, only: mlmi_level_t
    use ehlwave_mlmi_transfer, only: anterpolate, interpolate_and_correct, sum_directly
    use ehlwave_work_unit, only: mlmi_operations
@@ -51,7 +52,7 @@ contains
       if (reach <= 0) reach = default_reach(self%order, grid)
       level(1)%last = [grid%nx, grid%ny]
       level(1)%is_half = grid%is_half
-      level(1)%kernel = sampled_kernel_t(hx=grid%hx, hy=grid%hy, kappa=kappa, k=k)
+      level(1)%kernel%kernel_t = new_kernel(grid, kappa, k)
       do l = 1, most_levels - 1
          if (l == self%levels) exit
          gaps = level(l)%kernel%gaps()

@@ -8,7 +8,7 @@ module ehlwave_inverse_deformation
       c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
    use ehlwave_fftw_answer, only: obtained
    use ehlwave_grid, only: grid_t
-   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kernel, only: kernel_t, new_kernel
    use ehlwave_kinds, only: dp
    use ehlwave_work_unit, only: transform_operations
    implicit none (type, external)
@@ -40,6 +40,7 @@ contains
       real(dp), intent(in) :: kappa   !! ellipticity a/b
       real(dp), intent(in) :: k       !! complete elliptic integral of the first kind
       real(dp), allocatable :: symbol(:, :)
+      type(kernel_t) :: kernel
       integer(c_size_t) :: values
       integer :: i, j
 
@@ -54,8 +55,9 @@ contains
          self%plan = obtained(fftw_plan_r2r_2d(grid%ny + 1, grid%nx + 1, self%field, self%modes, FFTW_REDFT00, &
                                                FFTW_REDFT00, FFTW_ESTIMATE + FFTW_UNALIGNED), values)
       end if
+      kernel = new_kernel(grid, kappa, k)
       do j = 0, grid%ny
-         self%field(:, j) = cell_influence([(i*grid%hx, i=0, grid%nx)], j*grid%hy, grid%hx, grid%hy, kappa, k)
+         self%field(:, j) = kernel%at([(i, i=0, grid%nx)], j)
       end do
       call fftw_execute_r2r(self%plan, self%field, self%modes)
       symbol = self%modes

@@ -1,15 +1,62 @@
-!> Influence coefficients of the elastic half-space for pressure constant per cell.
+!> Influence coefficients of the elastic half-space for pressure constant per cell, and of higher order.
 module ehlwave_kernel
+   use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
-   public :: cell_influence, corner, line_wave_influence
+   public :: cell_influence, corner, line_wave_influence, new_kernel
 
    !> Distance, in units of a, at which the deformation of a line contact counts as zero. A line load deforms a
    !> half-space up to a constant, which the mutual approach absorbs. The kernel is positive on any domain.
    real(dp), parameter, public :: line_reference = 16
 
+   !> Deformation of the nodes of a grid by the pressures there. A cell has the pressure of its node or, on fitted grids,
+   !> the mean of a pressure that is curved, theory eq. (D18): P + (second differences of P along X and Y)/24.
+   type, public :: kernel_t
+      real(dp) :: hx = 0, hy = 0         !! cell size
+      real(dp) :: kappa = 1, k = 0       !! ellipticity a/b and complete elliptic integral
+      real(dp) :: along = 0              !! wave number along a line contact, 1/a
+      logical :: is_raised = .false.     !! whether pressures are curved
+   contains
+      procedure :: at => kernel_at
+      procedure, private :: of_cell
+   end type kernel_t
+
+   !> Share of the second difference in the mean of a cell.
+   real(dp), parameter, public :: cell_curvature = 1/24.0_dp
+
 contains
+
+   !> Kernel of a grid; kappa and K of the contact.
+   pure function new_kernel(grid, kappa, k, along) result(self)
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: kappa, k          !! ellipticity a/b, complete elliptic integral of the first kind
+      real(dp), intent(in), optional :: along   !! wave number along a line contact, 1/a; absent: 0
+      type(kernel_t) :: self
+      self = kernel_t(grid%hx, grid%hy, kappa, k, is_raised=grid%is_fitted)
+      if (present(along)) self%along = along
+   end function new_kernel
+
+   !> Deformation at a distance of i cells along X and j along Y from a node with P = 1.
+   elemental real(dp) function kernel_at(self, i, j) result(d)
+      class(kernel_t), intent(in) :: self
+      integer, intent(in) :: i, j
+      d = self%of_cell(i, j)
+      if (.not. self%is_raised) return
+      d = d - cell_curvature*(self%of_cell(i - 1, j) - 2*self%of_cell(i, j) + self%of_cell(i + 1, j) &
+                              + self%of_cell(i, j - 1) - 2*self%of_cell(i, j) + self%of_cell(i, j + 1))
+   end function kernel_at
+
+   !> Deformation by P = 1 in a cell.
+   elemental real(dp) function of_cell(self, i, j) result(d)
+      class(kernel_t), intent(in) :: self
+      integer, intent(in) :: i, j
+      if (self%along > 0) then
+         d = line_wave_influence(i*self%hx, self%hx, self%along)
+      else
+         d = cell_influence(i*self%hx, j*self%hy, self%hx, self%hy, self%kappa, self%k)
+      end if
+   end function of_cell
 
    !> Deformation at distance (dx, dy) from the centre of a cell of size hx by hy under P = 1, exact
    !> integral of theory eq. (9) (Love 1929), (D4):

@@ -5,7 +5,7 @@ module ehlwave_kernel_transform
    use ehlwave_fftw_answer, only: obtained
    use ehlwave_fftw_memory, only: allot
    use ehlwave_grid, only: grid_t
-   use ehlwave_kernel, only: corner
+   use ehlwave_kernel, only: cell_curvature, corner
    use ehlwave_kinds, only: dp, pi
    use ehlwave_threads, only: is_shared, thread_count, thread_number
    implicit none (type, external)
@@ -46,7 +46,7 @@ module ehlwave_kernel_transform
 
 contains
 
-   !> Transform of the exact cell kernel on a grid; kappa and K of the contact.
+   !> Transform of the kernel of a grid, see `kernel_t`; kappa and K of the contact.
    function new_kernel_transform(grid, kappa, k) result(self)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa   !! ellipticity a/b
@@ -60,7 +60,7 @@ contains
       self%py = fast_length(2*grid%ny)
       associate (px => self%px, py => self%py)
          reach = merge(2*grid%ny, py/2, grid%is_half)
-         allocate (column(0:reach, 0:px/2), self%direct(0:py/2, 0:px/2))
+         allocate (column(0:reach + 1, 0:px/2), self%direct(0:py/2, 0:px/2))
          call transform_rows(grid, kappa, k, px, column)
          if (grid%is_half) then
             allocate (self%mirrored(0:py/2, 0:px/2))
@@ -71,6 +71,7 @@ contains
          do m = 0, px/2
             t = thread_number()
             associate (values => along_y%values, modes => along_y%modes(:, t), last => min(reach, py - 1))
+               if (grid%is_fitted) call curve(column(:, m), 2*pi*m/px)
                values(:, t) = column([(min(j, py - j), j=0, py - 1)], m)
                call fftw_execute_dft_r2c(along_y%plan, values(:, t), modes)
                self%direct(:, m) = real(modes, dp)/py
@@ -86,14 +87,29 @@ contains
       end associate
    end function new_kernel_transform
 
-   !> Transforms along X of the influence at the distances j = 0 to `reach` along Y. The influence depends on distances
+   !> The kernel of pressures that are curved along X and Y, from the kernel of cells, both transformed along X.
+   pure subroutine curve(column, angle)
+      real(dp), intent(inout) :: column(0:)     !! (0:reach + 1), the last is left alone
+      real(dp), intent(in) :: angle             !! of the wave per cell along X
+      real(dp) :: along_x, before, here
+      integer :: j
+      along_x = 1 + 2*cell_curvature*(1 - cos(angle))
+      before = column(1)
+      do j = 0, ubound(column, 1) - 1
+         here = column(j)
+         column(j) = along_x*here - cell_curvature*(before - 2*here + column(j + 1))
+         before = here
+      end do
+   end subroutine curve
+
+   !> Transforms along X of the influence of cells at the distances j = 0 to `reach` + 1 along Y. The influence depends on distances
    !> along X and is mirrored in the middle. Four cells share a corner: each row of them is found once, for a part of
    !> the rows.
    subroutine transform_rows(grid, kappa, k, px, column)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, k
       integer, intent(in) :: px
-      real(dp), intent(out) :: column(0:, 0:)   !! (0:reach, 0:px/2), over px
+      real(dp), intent(out) :: column(0:, 0:)   !! (0:reach + 1, 0:px/2), over px
       type(transforms_t) :: along_x
       real(dp), dimension(0:px/2 + 1) :: lower, u, upper
       integer :: i, j, last, t

@@ -1,6 +1,6 @@
 !> Correction near the singularity of a kernel that is interpolated from every second node.
 module ehlwave_mlmi_correction
-   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kernel, only: kernel_t
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
@@ -8,13 +8,11 @@ module ehlwave_mlmi_correction
 
    integer, parameter, public :: along_x = 1, along_y = 2   !! directions of coarsening
 
-   !> Kernel of a level: kernel of the cells of the finest grid at whole multiples of `stride` cells (injection).
-   type, public :: sampled_kernel_t
-      real(dp) :: hx = 0, hy = 0       !! cell size of the finest grid
-      real(dp) :: kappa = 1, k = 0     !! ellipticity a/b and complete elliptic integral
+   !> Kernel of a level: kernel of the finest grid at whole multiples of `stride` cells (injection).
+   type, extends(kernel_t), public :: sampled_kernel_t
       integer :: stride(2) = 1         !! cells of the finest grid between two nodes along X and Y
    contains
-      procedure :: at
+      procedure :: at => sampled_at
       procedure :: gaps
       procedure :: smallest_kept
    end type sampled_kernel_t
@@ -29,11 +27,11 @@ module ehlwave_mlmi_correction
 contains
 
    !> Kernel at a distance of (i, j) nodes.
-   elemental real(dp) function at(self, i, j)
+   elemental real(dp) function sampled_at(self, i, j) result(d)
       class(sampled_kernel_t), intent(in) :: self
       integer, intent(in) :: i, j
-      at = cell_influence(self%stride(1)*i*self%hx, self%stride(2)*j*self%hy, self%hx, self%hy, self%kappa, self%k)
-   end function at
+      d = self%kernel_t%at(self%stride(1)*i, self%stride(2)*j)
+   end function sampled_at
 
    !> Distances between two nodes along X and Y, both in units of b.
    pure function gaps(self)

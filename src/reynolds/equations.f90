@@ -5,7 +5,7 @@ module ehlwave_equations
    use ehlwave_edge_values, only: edge_values_t
    use ehlwave_flow, only: flow_t, new_flow
    use ehlwave_given, only: given_t
-   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kernel, only: kernel_t, new_kernel
    use ehlwave_kinds, only: dp
    use ehlwave_mesh, only: mesh_t, new_mesh
    use ehlwave_oil_content, only: new_content, oil_content_t
@@ -50,10 +50,12 @@ contains
    subroutine init(self, problem)
       class(equations_t), intent(out) :: self
       type(contact_problem_t), intent(in) :: problem
+      type(kernel_t) :: kernel
 
       associate (grid => problem%grid, elliptic => problem%conditions%elliptic)
          self%mesh = new_mesh(grid, elliptic%kappa)
-         self%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
+         kernel = new_kernel(grid, elliptic%kappa, elliptic%k)
+         self%self_influence = kernel%at(0, 0)
          self%flow = new_flow(grid)
          call grid%new_field(self%residual)
          call grid%new_field(self%scale)

@@ -32,8 +32,9 @@ module ehlwave_face_flow
       real(dp), allocatable :: own(:, :), cross(:, :)
       real(dp), allocatable :: by_p1(:, :), by_p2(:, :)
       real(dp), allocatable :: by_h1(:, :), by_h2(:, :)
-      ! fitted faces along X, see `ehlwave_raised_flux`: s and 1/(8 Hm), derivative by H of the next nodes but one
+      ! fitted faces, see `ehlwave_raised_flux`: s and 1/(8 Hm), derivative by H of the next nodes but one
       logical :: is_raised = .false.
+      integer :: first_curved = 0, last_curved = -1     ! faces in a row with two more nodes on both sides
       real(dp), allocatable :: slope(:, :), thin(:, :), outer(:, :)
       real(dp) :: work = 0   !! operations of the last evaluation, see `ehlwave_work_unit`
    contains
@@ -137,6 +138,7 @@ contains
       type(face_flow_t), intent(in) :: fine
       integer :: i, j
 
+      self%is_raised = .false.
       do j = 0, ubound(self%own, 2) - 1
          do i = 0, ubound(self%own, 1)
             call join(self, [i, j], fine, [2*i, 2*j], [2*i, 2*j + 1])

@@ -31,6 +31,7 @@ module ehlwave_flow
       procedure :: evaluate_faces
       procedure :: fit
       procedure :: has_face_fluxes
+      procedure :: is_raised_across
       procedure :: mobility
       procedure :: fall_along
       procedure :: inject_from
@@ -163,7 +164,7 @@ contains
       self%has_faces = .true.
       call self%along_x%evaluate_x(grid, kappa, film, self%node_oil_t, heat)
       call self%along_y%evaluate_y(grid, kappa, film, self%node_oil_t, heat)
-      if (grid%is_fitted) call raise_order(self%along_x, grid, self%h)
+      if (grid%is_fitted) call raise_order(self%along_x, self%along_y, grid, self%h)
    end subroutine evaluate_faces
 
    !> Fitted fluxes of a Newtonian oil, after `evaluate`: theory eq. (D11).
@@ -174,7 +175,7 @@ contains
       call make_faces(self, grid)
       self%has_faces = .true.
       call fit_faces(grid, lambdabar, self%node_oil_t, self%along_x, self%along_y)
-      call raise_order(self%along_x, grid, self%h)
+      call raise_order(self%along_x, self%along_y, grid, self%h)
    end subroutine fit
 
    !> Whether stresses thin the oil so little that a preconditioner may use Newtonian linear changes. The measure is the
@@ -212,6 +213,13 @@ contains
       class(flow_t), intent(in) :: self
       has_face_fluxes = self%has_faces
    end function has_face_fluxes
+
+   !> Whether fluxes along Y are raised, see `ehlwave_raised_flux`.
+   pure logical function is_raised_across(self)
+      class(flow_t), intent(in) :: self
+      is_raised_across = self%has_faces
+      if (is_raised_across) is_raised_across = self%along_y%is_raised
+   end function is_raised_across
 
    !> How easily a pressure gradient along X drives oil at each node: eps, or its replacement.
    pure function mobility(self) result(eps)

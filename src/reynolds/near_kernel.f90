@@ -1,7 +1,7 @@
 !> The part of the deformation that a sparse approximation of the Jacobian keeps: that by the nearest cells.
 module ehlwave_near_kernel
    use ehlwave_grid, only: grid_t
-   use ehlwave_kernel, only: cell_influence, line_wave_influence
+   use ehlwave_kernel, only: kernel_t, new_kernel
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
@@ -48,6 +48,7 @@ contains
       type(near_settings_t), intent(in) :: settings
       real(dp), intent(in), optional :: along   !! wave number along a line contact, 1/a; absent: 0
       type(near_kernel_t) :: self
+      type(kernel_t) :: kernel
       real(dp) :: aspect, taper
       integer :: i, j, least
 
@@ -65,12 +66,10 @@ contains
       end if
       self%entries = (2*self%reach_x + 1)*(2*self%reach_y + 1)
       allocate (self%influence(-self%reach_x - 2:self%reach_x + 2, -self%reach_y - 1:self%reach_y + 1))
+      kernel = new_kernel(grid, kappa, k, along)
       do j = -self%reach_y - 1, self%reach_y + 1
          do i = -self%reach_x - 2, self%reach_x + 2
-            self%influence(i, j) = cell_influence(i*grid%hx, j*grid%hy, grid%hx, grid%hy, kappa, k)
-            if (present(along)) then
-               if (along > 0) self%influence(i, j) = line_wave_influence(i*grid%hx, grid%hx, along)
-            end if
+            self%influence(i, j) = kernel%at(i, j)
             if (taper > 0) self%influence(i, j) = window(self, i, j)**taper*self%influence(i, j)
          end do
       end do

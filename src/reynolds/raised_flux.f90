@@ -1,11 +1,11 @@
-!> Fluxes of higher order along X on fitted grids: theory eq. (D17).
+!> Fluxes of higher order on fitted grids: theory eq. (D17).
 !>
 !> A fitted flux belongs to a flow that is constant between two nodes, through a film that is straight there. Film and
 !> flow are curves. With r = (H_(i-1) - H_i - H_(i+1) + H_(i+2))/(8 Hm), Hm the mean of H_i and H_(i+1),
 !>
 !>     q = fitted flux/(1 + r),        flux = q - (q_+ - 2 q + q_-)/12 + s (q_+ - q_-),   s = (H_(i+1) - H_i)/(8 Hm)
 !>
-!> with q_+ and q_- of the next faces.
+!> with q_+ and q_- of the next faces. Along Y likewise; a line of symmetry mirrors the film, and q but for its sign.
 module ehlwave_raised_flux
    use ehlwave_face_flow, only: face_flow_t
    use ehlwave_grid, only: grid_t
@@ -13,49 +13,82 @@ module ehlwave_raised_flux
    use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
-   public :: curvature, raise_order, raised_row, slope_change
+   public :: curvature, flux_before, raise_order, raised_across, raised_row, slope_change
 
    real(dp), parameter :: curvature = 1/12.0_dp   !! share of the second difference of the flow
 
 contains
 
-   !> Replace the fitted fluxes along X by q, and derivatives likewise; `raised_row` has the rest.
-   subroutine raise_order(faces, grid, h)
-      type(face_flow_t), intent(inout) :: faces
+   !> Replace the fitted fluxes by q, and derivatives likewise; `raised_row` and `raised_across` have the rest.
+   subroutine raise_order(along_x, along_y, grid, h)
+      type(face_flow_t), intent(inout) :: along_x, along_y
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: h(0:, 0:)           !! H, (0:nx, 0:ny)
-      real(dp), dimension(0:grid%nx - 1) :: bend, both, far, q
+      real(dp), dimension(0:grid%nx) :: both, far
+      logical :: is_curved(0:grid%nx)
       integer :: j, n
 
-      if (.not. allocated(faces%slope)) then
-         call grid%new_field(faces%slope)
-         call grid%new_field(faces%thin)
-         call grid%new_field(faces%outer)
-      end if
-      faces%is_raised = .true.
       n = grid%nx
-      !$omp parallel do private(bend, both, far, q) schedule(static) if (is_shared(size(h)))
+      call prepare(along_x, grid, 1, n - 2)
+      !$omp parallel do private(both, far, is_curved) schedule(static) if (is_shared(size(h)))
       do j = grid%first_row, grid%last_row
-         both = h(:n - 1, j) + h(1:, j)
+         both(:n - 1) = h(:n - 1, j) + h(1:, j)
          far = both
          far(1:n - 2) = h(:n - 3, j) + h(3:, j)
-         bend = 1/(1 + 0.25_dp*(far - both)/both)
-         faces%thin(:n - 1, j) = 0.25_dp/both
-         faces%slope(:n - 1, j) = faces%thin(:n - 1, j)*(h(1:, j) - h(:n - 1, j))
-         q = bend*faces%flux(:n - 1, j)
-         faces%flux(:n - 1, j) = q
-         faces%own(:n - 1, j) = bend*faces%own(:n - 1, j)
-         faces%cross(:n - 1, j) = bend*faces%cross(:n - 1, j)
-         faces%by_p1(:n - 1, j) = bend*faces%by_p1(:n - 1, j)
-         faces%by_p2(:n - 1, j) = bend*faces%by_p2(:n - 1, j)
-         q = bend*q*faces%thin(:n - 1, j)         ! falls as `far` grows
-         q([0, n - 1]) = 0                        ! the film is straight at the ends
-         faces%outer(:n - 1, j) = -q
-         q = q*far/both
-         faces%by_h1(:n - 1, j) = bend*faces%by_h1(:n - 1, j) + q
-         faces%by_h2(:n - 1, j) = bend*faces%by_h2(:n - 1, j) + q
+         is_curved = .true.
+         is_curved([0, n - 1]) = .false.          ! the film is straight at the ends
+         call raise_row(along_x, j, n, h(1:, j) - h(:n - 1, j), both, far, is_curved)
+      end do
+      if (grid%is_line) return
+      call prepare(along_y, grid, merge(0, 1, grid%is_half), grid%ny - 2)
+      !$omp parallel do private(both, far, is_curved) schedule(static) if (is_shared(size(h)))
+      do j = 0, grid%ny - 1
+         both = h(:, j) + h(:, j + 1)
+         is_curved = j >= along_y%first_curved .and. j <= along_y%last_curved
+         far = both
+         if (is_curved(0)) far = h(:, grid%below(j)) + h(:, j + 2)
+         call raise_row(along_y, j, n + 1, h(:, j + 1) - h(:, j), both, far, is_curved)
       end do
    end subroutine raise_order
+
+   !> Work space for a raised flow.
+   subroutine prepare(faces, grid, first_curved, last_curved)
+      type(face_flow_t), intent(inout) :: faces
+      type(grid_t), intent(in) :: grid
+      integer, intent(in) :: first_curved, last_curved
+      faces%is_raised = .true.
+      faces%first_curved = first_curved
+      faces%last_curved = last_curved
+      if (allocated(faces%slope)) return
+      call grid%new_field(faces%slope)
+      call grid%new_field(faces%thin)
+      call grid%new_field(faces%outer)
+   end subroutine prepare
+
+   !> Raise row j of faces.
+   pure subroutine raise_row(faces, j, n, rise, both, far, is_curved)
+      type(face_flow_t), intent(inout) :: faces
+      integer, intent(in) :: j
+      integer, intent(in) :: n                      !! faces
+      real(dp), intent(in) :: rise(0:n - 1)         !! H_(i+1) - H_i
+      real(dp), intent(in) :: both(0:), far(0:)     !! H_i + H_(i+1), H_(i-1) + H_(i+2)
+      logical, intent(in) :: is_curved(0:)          !! whether `far` is not of the two nodes alone
+      real(dp), dimension(0:n - 1) :: bend, q
+      bend = 1/(1 + 0.25_dp*(far(:n - 1) - both(:n - 1))/both(:n - 1))
+      faces%thin(:n - 1, j) = 0.25_dp/both(:n - 1)
+      faces%slope(:n - 1, j) = faces%thin(:n - 1, j)*rise
+      q = bend*faces%flux(:n - 1, j)
+      faces%flux(:n - 1, j) = q
+      faces%own(:n - 1, j) = bend*faces%own(:n - 1, j)
+      faces%cross(:n - 1, j) = bend*faces%cross(:n - 1, j)
+      faces%by_p1(:n - 1, j) = bend*faces%by_p1(:n - 1, j)
+      faces%by_p2(:n - 1, j) = bend*faces%by_p2(:n - 1, j)
+      q = merge(bend*q*faces%thin(:n - 1, j), 0.0_dp, is_curved(:n - 1))     ! falls as `far` grows
+      faces%outer(:n - 1, j) = -q
+      q = q*far(:n - 1)/both(:n - 1)
+      faces%by_h1(:n - 1, j) = bend*faces%by_h1(:n - 1, j) + q
+      faces%by_h2(:n - 1, j) = bend*faces%by_h2(:n - 1, j) + q
+   end subroutine raise_row
 
    !> Fluxes along row j.
    pure function raised_row(faces, j) result(flux)
@@ -65,7 +98,7 @@ contains
       integer :: i
 
       flux = faces%flux(:, j)
-      do i = 1, ubound(flux, 1) - 2
+      do i = faces%first_curved, faces%last_curved
          associate (q => faces%flux)
             flux(i) = q(i, j) - curvature*(q(i + 1, j) - 2*q(i, j) + q(i - 1, j)) &
                       + faces%slope(i, j)*(q(i + 1, j) - q(i - 1, j))
@@ -73,15 +106,37 @@ contains
       end do
    end function raised_row
 
-   !> Change of s along row j by a change of H.
-   pure function slope_change(faces, j, dh) result(ds)
+   !> Fluxes along Y from row j to the next.
+   pure function raised_across(faces, j) result(flux)
       type(face_flow_t), intent(in) :: faces
       integer, intent(in) :: j
-      real(dp), intent(in) :: dh(0:)
-      real(dp) :: ds(0:ubound(dh, 1) - 1)
-      associate (n => ubound(dh, 1))
-         ds = faces%thin(:n - 1, j)*(dh(1:) - dh(:n - 1) - 4*faces%slope(:n - 1, j)*(dh(1:) + dh(:n - 1)))
+      real(dp), dimension(0:ubound(faces%flux, 1)) :: before, flux
+
+      flux = faces%flux(:, j)
+      if (j < faces%first_curved .or. j > faces%last_curved) return
+      before = flux_before(faces, j)
+      associate (after => faces%flux(:, j + 1))
+         flux = flux - curvature*(after - 2*flux + before) + faces%slope(:, j)*(after - before)
       end associate
+   end function raised_across
+
+   !> q along Y through the faces before row j of them, mirrored at a line of symmetry.
+   pure function flux_before(faces, j) result(q)
+      type(face_flow_t), intent(in) :: faces
+      integer, intent(in) :: j
+      real(dp) :: q(0:ubound(faces%flux, 1))
+      if (j > 0) then
+         q = faces%flux(:, j - 1)
+      else
+         q = -faces%flux(:, 0)
+      end if
+   end function flux_before
+
+   !> Change of s by changes of H at the first and the second node of a face.
+   elemental real(dp) function slope_change(thin, slope, dh1, dh2)
+      real(dp), intent(in) :: thin, slope         !! 1/(8 Hm), s
+      real(dp), intent(in) :: dh1, dh2
+      slope_change = thin*(dh2 - dh1 - 4*slope*(dh1 + dh2))
    end function slope_change
 
 end module ehlwave_raised_flux

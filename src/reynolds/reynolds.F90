@@ -10,7 +10,7 @@ module ehlwave_reynolds
    use ehlwave_flow, only: flow_t
    use ehlwave_kinds, only: dp
    use ehlwave_mesh, only: mesh_t
-   use ehlwave_raised_flux, only: curvature, raised_row, slope_change
+   use ehlwave_raised_flux, only: curvature, flux_before, raised_across, raised_row, slope_change
    use ehlwave_real_wedge, only: wedge_t
    use ehlwave_threads, only: is_shared, row_block
    use ehlwave_transport, only: transport_t
@@ -101,6 +101,8 @@ contains
          if (shift == 1) then
             flux = flow%along_x%flux(:, j1)
             if (flow%along_x%is_raised) flux = raised_row(flow%along_x, j1)
+         else if (flow%along_y%is_raised) then
+            flux = (j2 - j1)*raised_across(flow%along_y, min(j1, j2))
          else
             flux = (j2 - j1)*flow%along_y%flux(:, min(j1, j2))
          end if
@@ -119,6 +121,8 @@ contains
 #define FACE_CHANGE real_face_change
 #define GENERAL_CHANGE real_general_change
 #define RAISED_CHANGE real_raised_change
+#define ACROSS_CHANGE real_across_change
+#define RAISED_ACROSS_CHANGE real_raised_across_change
 #include "reynolds_change.inc"
 #undef SCALAR
 #undef WEDGE
@@ -128,6 +132,8 @@ contains
 #undef FACE_CHANGE
 #undef GENERAL_CHANGE
 #undef RAISED_CHANGE
+#undef ACROSS_CHANGE
+#undef RAISED_ACROSS_CHANGE
 
 #define SCALAR complex(dp)
 #define WEDGE complex_wedge_t
@@ -137,6 +143,8 @@ contains
 #define FACE_CHANGE complex_face_change
 #define GENERAL_CHANGE complex_general_change
 #define RAISED_CHANGE complex_raised_change
+#define ACROSS_CHANGE complex_across_change
+#define RAISED_ACROSS_CHANGE complex_raised_across_change
 #include "reynolds_change.inc"
 
    !> Let a flow through faces follow a change of the state, linearly.
@@ -154,14 +162,24 @@ contains
       do j = mesh%grid%first_row, mesh%grid%last_row
          call real_general_change(mesh, flow, q, dh, [j], flux)
          flow%along_x%flux(:mesh%grid%nx - 1, j) = flow%along_x%flux(:mesh%grid%nx - 1, j) + flux(:mesh%grid%nx - 1)
-         if (flow%along_x%is_raised) flow%along_x%slope(:mesh%grid%nx - 1, j) = &
-            flow%along_x%slope(:mesh%grid%nx - 1, j) + slope_change(flow%along_x, j, dh(:, j))
+         if (flow%along_x%is_raised) call follow_slope(flow%along_x, mesh%grid%nx, j, dh(0:, j), dh(1:, j))
       end do
       do j = 0, mesh%grid%ny - 1
          call real_general_change(mesh, flow, q, dh, [j, j + 1], flux)
          flow%along_y%flux(:, j) = flow%along_y%flux(:, j) + flux
+         if (flow%along_y%is_raised) call follow_slope(flow%along_y, mesh%grid%nx + 1, j, dh(:, j), dh(:, j + 1))
       end do
       flow%f = flow%f + flow%f_p*q + flow%rho*dh
    end subroutine follow_state
+
+   !> Slopes of row j of faces after changes of H at their nodes.
+   pure subroutine follow_slope(faces, n, j, dh1, dh2)
+      type(face_flow_t), intent(inout) :: faces
+      integer, intent(in) :: n, j                     !! faces, row
+      real(dp), intent(in) :: dh1(0:), dh2(0:)
+      associate (slope => faces%slope(:n - 1, j))
+         slope = slope + slope_change(faces%thin(:n - 1, j), slope, dh1(:n - 1), dh2(:n - 1))
+      end associate
+   end subroutine follow_slope
 
 end module ehlwave_reynolds

@@ -70,11 +70,13 @@ contains
       type(flow_t), intent(in) :: flow
       integer, intent(in) :: block(4)
       real(dp), intent(out), contiguous :: by_p(:, :), by_h(:, :)
-      real(dp) :: cx
+      real(dp) :: cx, cy
       integer :: below, first, i, j, last, n
 
       cx = mesh%cx
+      cy = mesh%cy
       if (flow%along_x%is_raised) cx = (1 + 2*curvature)*cx
+      if (flow%along_y%is_raised) cy = (1 + 2*curvature)*cy
       i = block(1)
       n = block(2) - i + 1
       by_p = 0
@@ -88,11 +90,11 @@ contains
             call add_links(flow%along_x, cx, [i - 1, j], .false., n, own_p, by_p(first:last, 3), own_h, &
                            by_h(first:last, 3))
             if (mesh%grid%ny == 0) cycle
-            call add_links(flow%along_y, mesh%cy, [i, j], .true., n, own_p, by_p(first:last, 4), own_h, &
+            call add_links(flow%along_y, cy, [i, j], .true., n, own_p, by_p(first:last, 4), own_h, &
                            by_h(first:last, 4))
             ! the face below a line of symmetry mirrors that above it
             below = mesh%grid%below(j)
-            call add_links(flow%along_y, mesh%cy, [i, min(j, below)], below > j, n, own_p, by_p(first:last, 5), own_h, &
+            call add_links(flow%along_y, cy, [i, min(j, below)], below > j, n, own_p, by_p(first:last, 5), own_h, &
                            by_h(first:last, 5))
          end associate
       end do

@@ -3,9 +3,10 @@ module ehlwave_reynolds_transposed
    use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t
    use ehlwave_face_flow, only: face_flow_t
    use ehlwave_flow, only: flow_t
+   use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_mesh, only: mesh_t
-   use ehlwave_raised_flux, only: curvature
+   use ehlwave_raised_flux, only: curvature, flux_before
    use ehlwave_real_wedge, only: wedge_t
    implicit none (type, external)
    private
@@ -24,6 +25,7 @@ contains
 #define FACE_TRANSPOSED real_face_transposed
 #define GENERAL_TRANSPOSED real_general_transposed
 #define RAISED_TRANSPOSED real_raised_transposed
+#define RAISED_ACROSS_TRANSPOSED real_raised_across_transposed
 #include "transposed_change.inc"
 #undef SCALAR
 #undef WEDGE
@@ -31,6 +33,7 @@ contains
 #undef FACE_TRANSPOSED
 #undef GENERAL_TRANSPOSED
 #undef RAISED_TRANSPOSED
+#undef RAISED_ACROSS_TRANSPOSED
 
 #define SCALAR complex(dp)
 #define WEDGE complex_wedge_t
@@ -38,6 +41,7 @@ contains
 #define FACE_TRANSPOSED complex_face_transposed
 #define GENERAL_TRANSPOSED complex_general_transposed
 #define RAISED_TRANSPOSED complex_raised_transposed
+#define RAISED_ACROSS_TRANSPOSED complex_raised_across_transposed
 #include "transposed_change.inc"
 
 end module ehlwave_reynolds_transposed

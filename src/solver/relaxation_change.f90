@@ -6,7 +6,7 @@
 !> its deformation falls as 1/r^3.
 module ehlwave_relaxation_change
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kernel, only: kernel_t, new_kernel
    use ehlwave_kinds, only: dp
    use ehlwave_rheology, only: rheology_t
    implicit none (type, external)
@@ -50,10 +50,12 @@ contains
    function new_relaxation_change(problem) result(self)
       type(contact_problem_t), intent(in) :: problem
       type(relaxation_change_t) :: self
+      type(kernel_t) :: kernel
       real(dp) :: aspect
       integer :: i, j, r
 
       associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa, k => problem%conditions%elliptic%k)
+         kernel = new_kernel(grid, kappa, k)
          aspect = grid%hy/(kappa*grid%hx)
          self%switch = switch_of(problem%rheology)*max(aspect, 1/aspect)**2
          if (grid%is_fitted) self%switch = max(self%switch, switch_of_fitted*max(aspect, 1/aspect)**2)
@@ -68,21 +70,12 @@ contains
          self%shape(0, 1, distributed) = -self%share_y
          do j = 0, 1
             do i = -r, r
-               self%influence(i, j, single) = at(i, j)
-               self%influence(i, j, distributed) = at(i, j) - self%share_x*(at(i - 1, j) + at(i + 1, j)) &
-                                                   - self%share_y*(at(i, j - 1) + at(i, j + 1))
+               self%influence(i, j, single) = kernel%at(i, j)
+               self%influence(i, j, distributed) = kernel%at(i, j) - self%share_x*(kernel%at(i - 1, j) + kernel%at(i + 1, j)) &
+                                                   - self%share_y*(kernel%at(i, j - 1) + kernel%at(i, j + 1))
             end do
          end do
       end associate
-
-   contains
-
-      real(dp) function at(i, j)
-         integer, intent(in) :: i, j
-         associate (grid => problem%grid, elliptic => problem%conditions%elliptic)
-            at = cell_influence(i*grid%hx, j*grid%hy, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
-         end associate
-      end function at
    end function new_relaxation_change
 
    !> The switch of square cells, for an oil.

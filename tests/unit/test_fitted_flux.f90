@@ -134,7 +134,7 @@ contains
       x = new_face_flow(grid)
       y = x
       call fit_faces(grid, lambdabar, oil_of(p, h, .false.), x, y)
-      call raise_order(x, grid, h)
+      call raise_order(x, y, grid, h)
       flux = raised_row(x, 0)/(2*grid%hx)
       largest_error = maxval(abs((flux(3:n - 3) - flux(2:n - 4))/grid%hx - 2*cos(2*grid%x(3:n - 3))))
    end function largest_error
