@@ -11,7 +11,7 @@ module ehlwave_accuracy_model
    private
    public :: expected_film_error, expected_long_step_error, expected_ratio_error, expected_step_error, light_error, &
       light_film_error, largest_mesh, mesh_for_waves, points_for, steady_work_units, step_work_units, upstream_error, &
-      wave_x_error
+      wave_x_error, wave_y_error
 
    real(dp), parameter :: film_factor = 0.172_dp           !! model 'film'
    real(dp), parameter :: moving_factor = 0.265_dp         !! model 'moving_ratio'
@@ -23,10 +23,10 @@ module ehlwave_accuracy_model
    real(dp), parameter, public :: fitted_share = 1/20.0_dp
    !> Relative error of Ad/Ai and responses by waves along X of a fitted scheme: over the inverse fourth power of their
    !> points, and under slip over S - 1 and the inverse square; see `resolution_t` for points under slip. Measured: 0.4
-   !> to 0.6 (M = 100, D = 1, transverse, 0.25 a, 4 and 6 points); up to 2.3 (15 contacts, M = 49 to 761, D = 0.13 to
-   !> 0.88, S = 1.5 to 1.9). Of the averaged scheme it is part of the other.
+   !> to 0.6 (M = 100, D = 1, transverse, 0.25 a, 4 and 6 points); 0.1 to 3 (14 contacts, M = 49 to 761, D = 0.13 to
+   !> 0.94, S = 1.2 to 1.9). Of the averaged scheme it is part of the other.
    real(dp), parameter :: wave_x_factor = 1
-   real(dp), parameter :: slip_factor = 3.5_dp
+   real(dp), parameter :: slip_factor = 2
    real(dp), parameter :: step_by_inlet = 0.0108_dp        !! model 'time_step'
    !> Factor of the inverse cube of the steps per wave. Measured: 0.5 to 0.9 (M = 100, D = 1, 0.5 a, 3 to 16 steps).
    real(dp), parameter :: step_by_waves = 0.8_dp
@@ -52,8 +52,10 @@ module ehlwave_accuracy_model
    !> steps.
    real(dp), parameter :: film_flow_cost(2) = [1.6_dp, 1.8_dp]
    ! Refining Y alone changes Ad/Ai of patterns that vary in Y by 0.26 to 0.69 over the square of the points per wave
-   ! (M = 100, D = 1 and 0.12, isotropic and longitudinal, 24 to 96 cells).
-   real(dp), parameter :: wave_y_factor = 0.5_dp
+   ! (M = 100, D = 1 and 0.12, isotropic and longitudinal, 24 to 96 cells). With the fitted scheme by 0.1 to 13 over
+   ! their fourth power, under slip by 0.3 to 20 (|S - 1| <= 0.5) and up to 80 (0.9); 27 contacts, M = 22 to 733, D =
+   ! 0.1 to 0.97, 5 to 20 points.
+   real(dp), parameter :: wave_y_factor = 0.5_dp, fitted_wave_y_factor = 8, fitted_wave_y_slip = 4
 
 contains
 
@@ -74,33 +76,27 @@ contains
 
    !> Relative error of Ad/Ai, theory eq. (E4): c hX^2 gamma M (1 - F)^(1/2). F is the ratio by the formula: the shorter
    !> the wave, the nearer F to 1, and the smaller the role of the inlet. c depends on whether the pattern moves. Errors
-   !> by waves along Y, by steps longer than hX and by the step tolerance are added.
-   pure real(dp) function expected_ratio_error(conditions, formula_ratio, hx, points_y, cells_per_step, samples, &
-                                               step_tolerance)
+   !> by steps longer than hX and by the step tolerance are added.
+   pure real(dp) function expected_ratio_error(conditions, formula_ratio, hx, cells_per_step, samples, step_tolerance)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: formula_ratio    !! Ad/Ai by theory eq. (18)
       real(dp), intent(in) :: hx               !! mesh size in X
-      real(dp), intent(in) :: points_y         !! mesh sizes per wave along Y, 0 without waves along Y
       integer, intent(in) :: cells_per_step    !! dT/hX, 1 for shorter steps too: they add no error
       real(dp), intent(in) :: samples          !! time steps per wave, 0 for a stationary pattern
       real(dp), intent(in) :: step_tolerance
 
       expected_ratio_error = ratio_factor(samples > 0)*ratio_scale(conditions, formula_ratio)*hx**2
-      if (points_y > 0) expected_ratio_error = expected_ratio_error + wave_y_factor/points_y**2
       if (samples > 0) expected_ratio_error = expected_ratio_error + expected_step_error(step_tolerance) &
          + expected_long_step_error(conditions, formula_ratio, hx, cells_per_step, samples, .false.)
    end function expected_ratio_error
 
    !> Error of Ad/Ai and responses in light contacts, over the square of hX. There the film is as thick as the bodies
    !> approach and does not come from the inlet: where the waves keep their amplitude, the error by the inlet nearly
-   !> vanishes. A fitted scheme has the same error at any film, but of transverse waves: without slip and less the error
-   !> by the inlet, 26 contacts (M = 2 to 500) have at most 2.1.
-   elemental real(dp) function light_error(film, is_fitted, is_transverse)
+   !> vanishes. With the fitted scheme 14 contacts (M = 4 to 23, H = 0.36 to 12, S = 0.8 and 1) have at most 1.1.
+   elemental real(dp) function light_error(film, is_fitted)
       real(dp), intent(in) :: film             !! H(0,0)
       logical, intent(in) :: is_fitted         !! scheme
-      logical, intent(in) :: is_transverse     !! waves along X alone
-      light_error = 8*min(1.0_dp, merge(1.0_dp, film, is_fitted))
-      if (is_fitted .and. is_transverse) light_error = 4*min(1.0_dp, film)
+      light_error = merge(2, 8, is_fitted)*min(1.0_dp, film)
    end function light_error
 
    !> See `wave_x_factor`: by points on waves.
@@ -109,6 +105,24 @@ contains
       real(dp), intent(in) :: slip             !! largest speed of a rough surface over the mean one
       wave_x_error = wave_x_factor/points**4 + slip_part(slip)/points**2
    end function wave_x_error
+
+   !> By mesh sizes per wave along Y.
+   elemental real(dp) function wave_y_error(points, slip, is_fitted)
+      real(dp), intent(in) :: points           !! above 0
+      real(dp), intent(in) :: slip             !! as in `wave_x_error`
+      logical, intent(in) :: is_fitted         !! scheme
+      if (is_fitted) then
+         wave_y_error = fitted_y_factor(slip)/points**4
+      else
+         wave_y_error = wave_y_factor/points**2
+      end if
+   end function wave_y_error
+
+   !> `wave_y_error` of the fitted scheme, times the fourth power of the points.
+   elemental real(dp) function fitted_y_factor(slip)
+      real(dp), intent(in) :: slip
+      fitted_y_factor = fitted_wave_y_factor*(1 + fitted_wave_y_slip*abs(slip - 1))
+   end function fitted_y_factor
 
    !> The mesh size in X on which waves leave as much of an error as `mesh` leaves without `wave_x_error`: the part by
    !> `mesh` grows with its square.
@@ -183,9 +197,15 @@ contains
    end function largest_mesh
 
    !> Mesh sizes per wave along Y that leave at most `error` of Ad/Ai by waves along Y alone.
-   pure real(dp) function points_for(error)
-      real(dp), intent(in) :: error   !! relative, above 0
-      points_for = sqrt(wave_y_factor/error)
+   elemental real(dp) function points_for(error, slip, is_fitted)
+      real(dp), intent(in) :: error            !! relative, above 0
+      real(dp), intent(in) :: slip             !! as in `wave_x_error`
+      logical, intent(in) :: is_fitted         !! scheme
+      if (is_fitted) then
+         points_for = (fitted_y_factor(slip)/error)**0.25_dp
+      else
+         points_for = sqrt(wave_y_factor/error)
+      end if
    end function points_for
 
    !> Counted work units of a steady state on a half domain, all levels included.

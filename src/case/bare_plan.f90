@@ -1,6 +1,6 @@
 !> The plan of one case without its effects: what is computed, on which grid, in how many steps, and why.
 module ehlwave_bare_plan
-   use ehlwave_accuracy_model, only: expected_film_error, light_error, wave_x_error
+   use ehlwave_accuracy_model, only: expected_film_error, light_error, wave_x_error, wave_y_error
    use ehlwave_case_files, only: case_file_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_error_parts, only: error_parts_t
@@ -88,20 +88,21 @@ contains
       expected_film_mesh_error = self%steepness*expected_film_error(self%conditions, self%hx)
    end function expected_film_mesh_error
 
-   !> Relative error of Ad/Ai by the points on waves along X: a part of its own with the fitted scheme.
+   !> Relative error of Ad/Ai by the points on waves; along X it is a part of its own with the fitted scheme.
    pure real(dp) function wave_mesh_error(self)
       class(bare_plan_t), intent(in) :: self
       wave_mesh_error = 0
       if (self%is_fitted .and. self%resolution%points_x > 0) &
          wave_mesh_error = wave_x_error(self%resolution%points_x, self%surfaces%largest_slip())
+      if (self%resolution%points_y > 0) wave_mesh_error = wave_mesh_error &
+         + wave_y_error(self%resolution%points_y, self%surfaces%largest_slip(), self%is_fitted)
    end function wave_mesh_error
 
    !> Relative error of Ad/Ai, or of a response, to expect by the mesh.
    pure real(dp) function expected_ratio_mesh_error(self, film)
       class(bare_plan_t), intent(in) :: self
       real(dp), intent(in) :: film         !! H(0,0)
-      expected_ratio_mesh_error = self%expected%mesh + light_error(film, self%is_fitted, &
-         self%resolution%points_x > 0 .and. .not. self%resolution%points_y > 0)*self%hx**2
+      expected_ratio_mesh_error = self%expected%mesh + light_error(film, self%is_fitted)*self%hx**2
    end function expected_ratio_mesh_error
 
    !> Operations to expect, error estimates included.

@@ -130,7 +130,8 @@ contains
             if (length/mesh > wanted) why_y = 'for hY over the inlet length <= '//to_text(inlet, 2)
             wanted = max(wanted, length/mesh)
          end if
-         if (case%accuracy > 0) points = max(points, points_for(share_of_waves*case%accuracy/share))
+         if (case%accuracy > 0) points = max(points, points_for(share_of_waves*case%accuracy/share, &
+            surfaces%largest_slip(), is_fitted))
          do n = 1, size(surfaces%list)
             associate (wave => surfaces%list(n))
                if (.not. wave%wavelength_y > 0) cycle
@@ -212,8 +213,7 @@ contains
       pure real(dp) function provable_mesh(expected)
          real(dp), intent(in) :: expected     !! error by the mesh over the square of hX
          real(dp) :: all_of_it
-         all_of_it = expected + light_error(expected_film(conditions), is_fitted, &
-                                            pattern%waves > 0 .and. .not. varies_along_y)
+         all_of_it = expected + light_error(expected_film(conditions), is_fitted)
          provable_mesh = sqrt(room/least_error(amplitude_ratio, kind_of(is_fitted, conditions%is_line()), all_of_it))
       end function provable_mesh
 

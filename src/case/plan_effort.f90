@@ -63,7 +63,7 @@ contains
          plan%expected%mesh = expected_ratio_error(plan%conditions, &
                                                    formula_ratio(case, plan%conditions, plan%surfaces%moves()), &
                                                    plan%hx*sqrt(merge(fitted_share, 1.0_dp, plan%is_fitted)), &
-                                                   plan%resolution%points_y, 1, samples, 0.0_dp)*plan%thinning%steepness
+                                                   1, samples, 0.0_dp)*plan%thinning%steepness
          plan%expected%mesh = plan%expected%mesh + plan%wave_mesh_error()
          call plan%effects%expect_ratio_error(plan%expected)
          if (samples > 0) plan%expected%time = expected_long_step_error(plan%conditions, &
