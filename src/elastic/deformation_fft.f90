@@ -17,7 +17,7 @@ module ehlwave_deformation_fft
       type(double_convolution_t) :: double
       type(single_convolution_t) :: single
       real(dp) :: operations = 0   ! operations of a convolution
-      real(dp) :: made_for(7) = 0  ! all that it depends on
+      real(dp) :: made_for(8) = 0  ! all that it depends on
    contains
       procedure :: init
       procedure :: apply
@@ -33,11 +33,11 @@ contains
       real(dp), intent(in) :: kappa   !! ellipticity a/b
       real(dp), intent(in) :: k       !! complete elliptic integral of the first kind
       type(kernel_transform_t) :: kernel
-      real(dp) :: made_for(7)
+      real(dp) :: made_for(8)
 
       if (checks) call assert(min(grid%hx, grid%hy) > 0 .and. kappa > 0 .and. k > 0, &
                               'deformation%init: positive mesh sizes and kappa')
-      made_for = [grid%hx, grid%hy, kappa, k, real([grid%nx, grid%ny, merge(1, 0, grid%is_half)], dp)]
+      made_for = [grid%hx, grid%hy, kappa, k, real([grid%nx, grid%ny, merge(1, 0, [grid%is_half, grid%is_fitted])], dp)]
       if (all(abs(made_for - self%made_for) <= 0)) return
       self%made_for = made_for
       kernel = new_kernel_transform(grid, kappa, k)

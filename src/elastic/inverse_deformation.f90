@@ -8,8 +8,8 @@ module ehlwave_inverse_deformation
       c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
    use ehlwave_fftw_answer, only: obtained
    use ehlwave_grid, only: grid_t
-   use ehlwave_kernel, only: kernel_t, new_kernel
-   use ehlwave_kinds, only: dp
+   use ehlwave_kernel, only: cell_curvature, kernel_t, new_kernel
+   use ehlwave_kinds, only: dp, pi
    use ehlwave_work_unit, only: transform_operations
    implicit none (type, external)
    private
@@ -56,17 +56,29 @@ contains
                                                FFTW_REDFT00, FFTW_ESTIMATE + FFTW_UNALIGNED), values)
       end if
       kernel = new_kernel(grid, kappa, k)
+      kernel%is_raised = .false.            ! waves of the symbol have a factor in its place
       do j = 0, grid%ny
          self%field(:, j) = kernel%at([(i, i=0, grid%nx)], j)
       end do
       call fftw_execute_r2r(self%plan, self%field, self%modes)
       symbol = self%modes
+      if (grid%is_fitted) then
+         do j = 0, grid%ny
+            symbol(:, j) = symbol(:, j)*(1 + bend([(i, i=0, grid%nx)], grid%nx) + bend(j, max(1, grid%ny)))
+         end do
+      end if
       symbol(0, 0) = maxval(abs(symbol))    ! a line's constant is arbitrary
       symbol = max(symbol, flattest*symbol(0, 0))
       self%shortest = symbol(grid%nx, grid%ny)
       self%spectrum = 1/(symbol*2*grid%nx*merge(1, 2*grid%ny, grid%is_line))
       self%operations = transform_operations(4.0_dp*max(1, grid%ny)*grid%nx)
    end subroutine init
+
+   !> Share of `cell_curvature` in the symbol of wave m of n: minus the second difference of the wave.
+   elemental real(dp) function bend(m, n)
+      integer, intent(in) :: m, n
+      bend = 2*cell_curvature*(1 - cos(pi*m/n))
+   end function bend
 
    !> Pressure at all nodes for a deformation.
    subroutine apply(self, d, p)

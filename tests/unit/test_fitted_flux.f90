@@ -4,11 +4,12 @@ program test_fitted_flux
    use ehlwave_fitted_flux, only: fit_faces
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_kinds, only: dp
-   use ehlwave_raised_flux, only: raise_order, raised_row
+   use ehlwave_raised_flux, only: raise_order, raised_across, raised_row
    use testing, only: test_t
    implicit none (type, external)
 
    real(dp), parameter :: lambdabar = 0.02_dp, thickening = 40, pressure = 0.3_dp
+   integer, parameter :: along_line = 1, across_whole = 2, across_half = 3
    type(test_t) :: test
 
    call check_steep_oil()
@@ -105,39 +106,77 @@ contains
    end subroutine check_alike
 
    !> Raised fluxes of a thin oil in a curved gap: their differences are the derivative of the flow at the nodes, of fourth
-   !> order.
+   !> order, along X and, on whole and half domains, along Y.
    subroutine check_order()
-      real(dp) :: error(2)
-      error = [largest_error(32), largest_error(64)]
-      print '(a, f6.3)', 'measured: observed order of raised fluxes ', log(error(1)/error(2))/log(2.0_dp)
-      call test%check_close(log(error(1)/error(2))/log(2.0_dp), 4.0_dp, 'order of raised fluxes', absolute=0.25_dp)
+      call check_order_of(along_line, 'along X')
+      call check_order_of(across_whole, 'along Y')
+      call check_order_of(across_half, 'along Y from a line of symmetry')
    end subroutine check_order
 
+   subroutine check_order_of(where_to, name)
+      integer, intent(in) :: where_to
+      character(len=*), intent(in) :: name
+      real(dp) :: error(2)
+      error = [largest_error(32, where_to), largest_error(64, where_to)]
+      print '(a, f6.3)', 'measured: observed order of raised fluxes '//name//' ', log(error(1)/error(2))/log(2.0_dp)
+      call test%check_close(log(error(1)/error(2))/log(2.0_dp), 4.0_dp, 'order of raised fluxes '//name, absolute=0.25_dp)
+   end subroutine check_order_of
+
    !> Largest error of the derivative of the flow q = sin(2 X) in the gap 1 + 0.4 cos(3 X), on n cells, two nodes and more
-   !> from the ends. P by Gauss's rule.
-   real(dp) function largest_error(n)
-      integer, intent(in) :: n
+   !> from the ends; the same along Y. P by Gauss's rule.
+   real(dp) function largest_error(n, where_to)
+      integer, intent(in) :: n, where_to
       real(dp), parameter :: place(3) = [-sqrt(0.6_dp), 0.0_dp, sqrt(0.6_dp)], weight(3) = [5, 8, 5]/18.0_dp
+      integer, parameter :: across = 4          ! cells in the other direction
       type(grid_t) :: grid
       type(face_flow_t) :: x, y
-      real(dp) :: flux(0:n), h(0:n, 0:0), p(0:n, 0:0)
-      integer :: i
+      real(dp), allocatable :: at(:), flux(:), h(:), p(:)
+      real(dp) :: size_of_cell
+      integer :: first, i, j
 
-      grid = new_line_grid(-1.0_dp, 1.0_dp, n)
-      h(:, 0) = gap(grid%x)
-      p(0, 0) = 0
-      do i = 1, n
-         associate (between => grid%x(i) - 0.5_dp*grid%hx*(1 - place))
-            p(i, 0) = p(i - 1, 0) + lambdabar*grid%hx*sum(weight*sin(2*between)/gap(between)**3)
+      select case (where_to)
+      case (along_line)
+         grid = new_line_grid(-1.0_dp, 1.0_dp, n)
+         allocate (at(n + 1), source=grid%x)
+      case (across_whole)
+         grid = new_grid(-1.0_dp, 1.0_dp, 1.0_dp, across, n, .false.)
+         allocate (at(grid%ny + 1), source=grid%y)
+      case (across_half)
+         grid = new_grid(-1.0_dp, 1.0_dp, 1.0_dp, across, n, .true.)
+         allocate (at(grid%ny + 1), source=grid%y)
+      end select
+      size_of_cell = merge(grid%hx, grid%hy, where_to == along_line)
+      h = gap(at)
+      allocate (p(size(at)), source=0.0_dp)
+      do i = 2, size(at)
+         associate (between => at(i) - 0.5_dp*size_of_cell*(1 - place))
+            p(i) = p(i - 1) + lambdabar*size_of_cell*sum(weight*sin(2*between)/gap(between)**3)
          end associate
       end do
       x = new_face_flow(grid)
       y = x
-      call fit_faces(grid, lambdabar, oil_of(p, h, .false.), x, y)
-      call raise_order(x, y, grid, h)
-      flux = raised_row(x, 0)/(2*grid%hx)
-      largest_error = maxval(abs((flux(3:n - 3) - flux(2:n - 4))/grid%hx - 2*cos(2*grid%x(3:n - 3))))
+      if (where_to == along_line) then
+         call fit_faces(grid, lambdabar, oil_of(reshape(p, [n + 1, 1]), reshape(h, [n + 1, 1]), .false.), x, y)
+         call raise_order(x, y, grid, reshape(h, [n + 1, 1]))
+         flux = raised_row(x, 0)/(2*size_of_cell)
+         first = 3
+      else
+         call fit_faces(grid, lambdabar, oil_of(spread(p, 1, across + 1), spread(h, 1, across + 1), .false.), x, y)
+         call raise_order(x, y, grid, spread(h, 1, across + 1))
+         flux = [(value_of(raised_across(y, j)), j=0, grid%ny - 1)]/(2*size_of_cell)
+         first = merge(1, 3, where_to == across_half)
+      end if
+      associate (last => size(at) - 4)
+         largest_error = maxval(abs((flux(first + 1:last + 1) - flux(first:last))/size_of_cell - 2*cos(2*at(first + 1:last + 1))))
+      end associate
+      if (where_to == across_half) largest_error = max(largest_error, abs(2*flux(1)/size_of_cell - 2))
    end function largest_error
+
+   !> Flux in the middle of a row.
+   pure real(dp) function value_of(row)
+      real(dp), intent(in) :: row(0:)
+      value_of = row(ubound(row, 1)/2)
+   end function value_of
 
    elemental real(dp) function gap(x)
       real(dp), intent(in) :: x
