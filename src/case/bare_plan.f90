@@ -129,7 +129,8 @@ contains
          bytes_in_parts = 762, &     ! bytes of responses whose linear systems are not kept side by side
          bytes_response = 1710, bytes_line = 2600, bytes_periodic = 1900, &
          bytes_set = 48, &                                              ! three fields, and their file
-         bytes_fitted = 215, bytes_faces = 150   ! fluxes through faces: of the fitted scheme, of other oils
+         bytes_fitted = 215, bytes_faces = 150, &   ! fluxes through faces: of the fitted scheme, of other oils
+         bytes_fitted_response = 380                ! more of them in responses
       real(dp), parameter :: thread_mib = 1, bytes_thread = 600   ! rows, columns and lines of its own
       real(dp), parameter :: usual_cells = 256*128, smooth_growth = 0.18_dp, periodic_growth = 0.06_dp
       real(dp) :: bytes, cells, halvings   ! bytes of the mesh of `usual_cells`
@@ -151,6 +152,7 @@ contains
       bytes = bytes + self%bytes_of_effects
       if (self%is_fitted) then
          bytes = bytes + bytes_fitted
+         if (self%responds .and. cells <= many_nodes) bytes = bytes + bytes_fitted_response
       else if (self%levels > 0 .or. .not. self%rheology%is_newtonian()) then
          bytes = bytes + bytes_faces
       end if
