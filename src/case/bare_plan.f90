@@ -1,6 +1,7 @@
 !> The plan of one case without its effects: what is computed, on which grid, in how many steps, and why.
 module ehlwave_bare_plan
-   use ehlwave_accuracy_model, only: expected_film_error, light_error, wave_x_error, wave_y_error
+   use ehlwave_accuracy_model, only: expected_film_error, light_error, upstream_error, wave_x_error, &
+      wave_y_error
    use ehlwave_case_files, only: case_file_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_error_parts, only: error_parts_t
@@ -103,6 +104,7 @@ contains
       class(bare_plan_t), intent(in) :: self
       real(dp), intent(in) :: film         !! H(0,0)
       expected_ratio_mesh_error = self%expected%mesh + light_error(film, self%is_fitted)*self%hx**2
+      if (self%is_fitted) expected_ratio_mesh_error = expected_ratio_mesh_error + upstream_error(self%resolution%inlet)
    end function expected_ratio_mesh_error
 
    !> Operations to expect, error estimates included.
