@@ -86,6 +86,11 @@ class AtlasTransfer(Transfer):
         low, high = WAVE_RANGE
         return f"outside {low:g} to {high:g} a{EXTRAPOLATED}"
 
+    @property
+    def smooth_from(self) -> float:
+        """Waves per metre of the shortest waves of the atlas."""
+        return 1 / (WAVE_RANGE[0] * self._conditions.semi_axis_a_m)
+
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
         """Return the transfer for waves per metre along x (any sign) and y; 0 for the mean."""
         return self._find(per_length_x, per_length_y).ratio.copy()
@@ -122,23 +127,26 @@ class AtlasTransfer(Transfer):
 
     def _evaluate(self, per_length_x: Waves, per_length_y: Waves) -> Found:
         wave, angle, shape = self._polar(per_length_x, per_length_y)
-        inside = np.clip(wave, *WAVE_RANGE)
+        lowest, highest = WAVE_RANGE
+        inside = np.clip(wave, lowest, highest)
         real, imaginary, error, rise = self._lookup(angle)(np.log(inside), angle)
-        fall = self._fall(wave, inside, angle)
-        short, long = wave < inside, wave > inside
-        kept = placed(short, (wave[short] / inside[short]) ** SHORT_WAVE_POWER, 1.0)
-        ratio = fall * (1 - (1 - real) * kept) + 1j * (fall * imaginary * kept)
         error = np.maximum(valued(error), 0)
-        error[short] += np.abs(1 - valued(ratio)[short])
-        error[long] += np.abs(valued(ratio)[long])
-        error[~np.isfinite(valued(wave))] = 0  # the mean is not deformed
-        ratio = ratio.reshape(shape)
-        turn = np.sign(np.broadcast_to(per_length_x, shape))
+        short, long = wave < lowest, wave > highest
+        if np.any(short):
+            kept = np.minimum(wave / lowest, 1.0) ** SHORT_WAVE_POWER
+            real, imaginary = 1 - (1 - real) * kept, imaginary * kept
+            error += np.where(short, np.abs(1 - valued(real) + 1j * valued(imaginary)), 0.0)
+        if np.any(long):
+            fall = self._fall(wave, inside, angle)
+            real, imaginary, rise = fall * real, fall * imaginary, fall**2 * rise
+            error += np.where(long, np.abs(valued(real) + 1j * valued(imaginary)), 0.0)
+            error[~np.isfinite(valued(wave))] = 0  # the mean is not deformed
+        turn = np.sign(per_length_x)
         return Found(
-            ratio.real + 1j * (ratio.imag * turn),
+            real.reshape(shape) + 1j * (imaginary.reshape(shape) * turn),
             error.reshape(shape),
-            (rise * fall**2).reshape(shape),
-            ((wave >= WAVE_RANGE[0]) & (wave <= WAVE_RANGE[1])).reshape(shape),
+            rise.reshape(shape),
+            ~(short | long).reshape(shape),
         )
 
     def _polar(
@@ -147,7 +155,7 @@ class AtlasTransfer(Transfer):
         """Return wavelengths over a and angles, degrees, of flattened waves, and their shape."""
         qx, qy = np.broadcast_arrays(np.abs(per_length_x), np.abs(per_length_y))
         with np.errstate(divide="ignore"):
-            wave = 1 / (np.hypot(qx, qy) * self._conditions.semi_axis_a_m)
+            wave = 1 / (np.sqrt(qx**2 + qy**2) * self._conditions.semi_axis_a_m)
         wave, angle = wave.ravel(), np.degrees(np.arctan2(valued(qy), valued(qx))).ravel()
         angle[~np.isfinite(valued(wave))] = angle[-1]  # the mean has no direction
         return wave, angle, qx.shape
@@ -200,26 +208,36 @@ def _between(logs: Waves, angles: Waves, parts: list[Waves]) -> Callable[[Waves,
     tables = [
         scipy.interpolate.RectBivariateSpline(logs, angles, part)(rows, columns) for part in every
     ]
-    corners = np.stack(tables, axis=-1).reshape(-1, len(every))
 
     def interpolate(log: Waves, angle: Waves) -> Waves:
         u, v = (valued(log) - rows[0]) / step, angle / (columns[1] - columns[0])
-        i = np.clip(u.astype(np.intp), 0, rows.size - 2)
-        j = np.clip(v.astype(np.intp), 0, columns.size - 2)
-        first = i * columns.size + j
-        found = [corners.take(first + k, axis=0) for k in (0, 1, columns.size, columns.size + 1)]
-        u, v = (u - i)[:, None], (v - j)[:, None]
-        for low, high in (found[:2], found[2:]):
-            high -= low
-            high *= v
-            low += high
-        found[2] -= found[0]
+        i = np.clip(np.floor(u), 0, rows.size - 2)
+        j = np.clip(np.floor(v), 0, columns.size - 2)
+        first = (i * columns.size + j).astype(np.intp)
+        u -= i
+        v -= j
+        found = _along_rows(tables, first, v)
+        if not count and not np.any(u):  # all on a row, as waves shorter than the atlas
+            return found
+        rise = _along_rows(tables, first + columns.size, v) - found
         if not count:
-            found[2] *= u
-            found[0] += found[2]
-            return np.asarray(found[0].T)
-        slopes = (found[0] + found[2] * u).T.reshape(1 + count, len(parts), -1)
-        by_log = (found[2].T / step)[: len(parts)]
+            rise *= u
+            found += rise
+            return found
+        slopes = (found + rise * u).reshape(1 + count, len(parts), -1)
+        by_log = rise[: len(parts)] / step
         return Dual(slopes[0], slopes[1:]) + by_log * (log - valued(log))  # type: ignore[return-value]
 
     return interpolate
+
+
+def _along_rows(tables: list[Waves], first: NDArray[np.intp], share: Waves) -> Waves:
+    """Return values between neighbours of the flattened tables, shape (tables, places)."""
+    found, second = np.empty((len(tables), first.size)), first + 1
+    for table, own in zip(tables, found, strict=True):
+        flat = table.ravel()
+        low = flat.take(first)
+        np.subtract(flat.take(second), low, out=own)
+        own *= share
+        own += low
+    return found

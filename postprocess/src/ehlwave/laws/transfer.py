@@ -52,6 +52,11 @@ class Transfer:
         """Why a component shorter than the contact is not covered."""
         raise NotImplementedError
 
+    @property
+    def smooth_from(self) -> float:
+        """Waves per metre from which on the transfer is smooth, all covered or none."""
+        return math.inf
+
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[Any]:
         """Return the transfer for waves per metre along x (any sign) and y (not negative)."""
         raise NotImplementedError

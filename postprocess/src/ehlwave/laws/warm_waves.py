@@ -133,6 +133,11 @@ class WarmTransfer(OfTwo):
         """Return both isothermal transfers."""
         return self.cold, self.thin
 
+    @property
+    def smooth_from(self) -> float:
+        """Waves per metre from which on both are smooth."""
+        return max(part.smooth_from for part in self.parts)
+
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
         """Return the transfer for waves per metre along x (any sign) and y (not negative)."""
         cold, thin = (one.ratio(per_length_x, per_length_y) for one in self.parts)

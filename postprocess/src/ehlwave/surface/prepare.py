@@ -47,7 +47,8 @@ def remove_form(surface: Surface, form: Form) -> Surface:
     order = np.add.outer(np.arange(basis_x.shape[1]), np.arange(basis_y.shape[1]))
     weights = np.where(order <= degree, weights, 0)
     fitted = (basis_x @ weights).astype(surface.height.dtype)
-    left = surface.height - fitted @ basis_y.T.astype(surface.height.dtype)
+    left = fitted @ basis_y.T.astype(surface.height.dtype)
+    np.subtract(surface.height, left, out=left)
     return replace(surface, height=left)
 
 

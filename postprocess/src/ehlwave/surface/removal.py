@@ -73,13 +73,18 @@ class Bands:
         self._sums: dict[tuple[int, int], Floats] = {}
         self._heights: dict[tuple[int, int], float] = {}
 
-    def add(
-        self, qx: Floats, qy: Floats, before: Floats, after: Floats, rise: Floats | None
-    ) -> None:
-        """Add a block: waves per metre along x (rows) and y (columns), mean squares, m^2."""
-        risen = np.zeros_like(before) if rise is None else 2 * rise * before
-        place, lowest = places_of_bands(qx, qy)
-        sums = [np.bincount(place, part.ravel()) for part in (before, after, risen)]
+    def add(self, qx: Floats, qy: Floats, before: Floats, after: Floats, risen: Floats) -> None:
+        """Add a block: waves per metre along x (rows) and y (columns), mean squares, m^2.
+
+        Also the rises of the mean film times the film, m^2.
+        """
+        starts = _starts_of_bands(qx, qy)
+        rows, columns = np.divmod(starts, qy.size)
+        place, lowest = places_of_bands(qx[rows, 0], qy[0, columns])
+        sums = [
+            np.bincount(place, np.add.reduceat(part.ravel(), starts))
+            for part in (before, after, risen)
+        ]
         for one in np.flatnonzero(sums[0]):
             key = band_key(int(one), lowest)
             self._sums[key] = self._sums.get(key, np.zeros(3)) + [part[one] for part in sums]
@@ -138,11 +143,26 @@ class Bands:
         return slope * (2 * lift - self._heights.get(key, 0.0)) / smallest
 
 
+def _starts_of_bands(qx: Floats, qy: Floats) -> NDArray[np.intp]:
+    """Return the places in a block, row after row, where a band can begin; qy ascends from 0."""
+    along, across = np.abs(qx), qy[0]
+    longest, shortest = np.frexp([across[:2].max(), np.hypot(along.max(), across[-1])])[1]
+    octaves = np.sqrt(np.maximum(OCTAVE ** (2.0 * np.arange(longest - 1, shortest)) - along**2, 0))
+    columns = (
+        np.zeros(along.shape, np.intp),
+        np.searchsorted(across, octaves),
+        np.searchsorted(across, along * STEEPER, side="right"),
+    )
+    starts = np.unique(np.concatenate(columns, 1) + np.arange(along.size)[:, None] * across.size)
+    return starts[starts < along.size * across.size]
+
+
 def places_of_bands(qx: Floats, qy: Floats) -> tuple[NDArray[np.intp], int]:
     """Return numbers of the bands of components, and the lowest octave, where they begin."""
     along, across = np.abs(qx), np.abs(qy)
-    octave = -np.frexp(np.hypot(along, across))[1].astype(int)  # 2^octave: shortest wavelength
-    turn = sum((across > limit * along).astype(int) for limit in STEEPER)
+    # Half the exponent of the square, rounded up; 2^octave: shortest wavelength.
+    octave = -((np.frexp(along**2 + across**2)[1] + 1) >> 1)
+    turn = sum((across > limit * along).astype(np.int8) for limit in STEEPER)
     lowest = int(octave.min())
     return (len(DIRECTIONS) * (octave - lowest) + turn).ravel(), lowest
 

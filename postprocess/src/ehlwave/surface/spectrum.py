@@ -91,17 +91,21 @@ class Tally:
         self, chosen: NDArray[np.bool_], qx: Floats, qy: Floats, before: Floats, after: Floats
     ) -> None:
         """Add the chosen members of a block."""
-        row, column = np.nonzero(chosen)
-        if row.size == 0:
+        count = int(np.count_nonzero(chosen))
+        if count == 0:
             return
-        squares = before[row, column]
-        self.components += row.size
+        squares, left = before, after
+        if count < chosen.size:
+            squares, left = np.where(chosen, before, 0.0), np.where(chosen, after, 0.0)
+        self.components += count
         self.before += float(squares.sum())
-        self.after += float(after[row, column].sum())
-        count = min(NAMED_COMPONENTS, squares.size)
-        best = np.argpartition(squares, -count)[-count:]
-        rows, columns = row[best], column[best]
-        named = (squares[best], qx[rows, 0], qy[0, columns], after[rows, columns])
+        self.after += float(left.sum())
+        least = self._largest[-1][0] if len(self._largest) == NAMED_COMPONENTS else 0.0
+        rows, columns = np.nonzero((squares >= least) & chosen)
+        if rows.size > NAMED_COMPONENTS:
+            best = np.argpartition(squares[rows, columns], -NAMED_COMPONENTS)[-NAMED_COMPONENTS:]
+            rows, columns = rows[best], columns[best]
+        named = (squares[rows, columns], qx[rows, 0], qy[0, columns], after[rows, columns])
         candidates = [*self._largest, *zip(*(values.tolist() for values in named), strict=True)]
         self._largest = heapq.nlargest(NAMED_COMPONENTS, candidates)
 

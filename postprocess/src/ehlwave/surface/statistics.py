@@ -213,7 +213,7 @@ def _rms(height: Heights) -> float:
     mean = float(np.mean(height, dtype=np.float64))
     total = sum(
         float(np.sum(np.square(row - height.dtype.type(mean)), dtype=np.float64))
-        for row in np.array_split(height, max(1, height.size // 2**20))
+        for row in np.array_split(height, max(1, height.size // 2**16))
     )
     return math.sqrt(total / height.size)
 

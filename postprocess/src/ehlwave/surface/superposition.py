@@ -13,6 +13,7 @@ from ehlwave.choices import Window
 from ehlwave.contact.conditions import Conditions
 from ehlwave.laws.transfer import Transfer
 from ehlwave.surface.prepare import extended, judged_part
+from ehlwave.surface.sampled import Sampled
 from ehlwave.surface.spectrum import Coverage, Floats, Spectrum, empty_spectrum
 from ehlwave.surface.surface import Heights, Surface
 
@@ -54,6 +55,9 @@ def superposed(
     """
     parts = components_of(height, surface, window)
     del height
+    is_large = parts.qx.size * parts.qy.size > MOST_KEPT
+    if is_large and parts.qy[-1] > transfer.smooth_from:
+        transfer = Sampled(transfer, parts.qy)
     spectra = {"x": empty_spectrum(parts.qx), "y": empty_spectrum(parts.qy)}
     cover = Coverage(conditions, transfer)
     mean_square, rise = 0.0, 0.0
@@ -70,9 +74,10 @@ def superposed(
         cover.add(along, across, before, after)
         mean_square += before.sum()
         of_wave = transfer.rise(along, across)
-        cover.bands.add(along, across, before, after, of_wave)
         # A wave of amplitude A has a mean square of A^2/2.
-        rise += math.nan if of_wave is None else 2 * (of_wave * before).sum()
+        risen = np.zeros_like(before) if of_wave is None else 2 * of_wave * before
+        rise += math.nan if of_wave is None else risen.sum()
+        cover.bands.add(along, across, before, after, risen)
         parts.multiply(block, ratio)
     known = rise / mean_square if mean_square > 0 else 0.0
     kept = copy.deepcopy(parts) if parts.qx.size * parts.qy.size <= MOST_KEPT else None
@@ -115,7 +120,8 @@ class _Cosines:
 
     def __init__(self, height: Heights, surface: Surface) -> None:
         self._axes = tuple(axis for axis in (0, 1) if height.shape[axis] > 1)
-        self._cosines = scipy.fft.dctn(height, axes=self._axes, workers=WORKERS)
+        is_own = not np.may_share_memory(height, surface.height)
+        self._cosines = scipy.fft.dctn(height, axes=self._axes, workers=WORKERS, overwrite_x=is_own)
         self._sines: Heights | None = None
         steps = surface.step_x_m, surface.step_y_m
         self.qx, self.qy = (
@@ -132,7 +138,7 @@ class _Cosines:
         part = self._cosines[block]
         if 0 in self._axes and np.iscomplexobj(ratio):
             if self._sines is None:
-                self._sines = np.zeros_like(self._cosines)
+                self._sines = np.zeros(self._cosines.shape, part.dtype)
             first = max(block.start, 1)  # the transform of sines begins with the first wave
             imaginary = ratio.imag[first - block.start :].astype(part.dtype)
             self._sines[first - 1 : block.stop - 1] = self._cosines[first : block.stop] * imaginary
@@ -158,12 +164,12 @@ class _Cosines:
         return np.asarray(found * across, dtype=float)
 
     def total(self) -> Heights:
-        found = scipy.fft.idctn(self._cosines, axes=self._axes, workers=WORKERS, overwrite_x=True)
-        if self._sines is not None:
-            lag = scipy.fft.idst(self._sines, axis=0, workers=WORKERS, overwrite_x=True)
-            if 1 in self._axes:
-                lag = scipy.fft.idct(lag, axis=1, workers=WORKERS, overwrite_x=True)
-            found -= lag
+        found = self._cosines
+        for axis in self._axes:
+            found = scipy.fft.idct(found, axis=axis, workers=WORKERS, overwrite_x=True)
+            if axis == 0 and self._sines is not None:
+                lag, self._sines = self._sines, None
+                found -= scipy.fft.idst(lag, axis=0, workers=WORKERS, overwrite_x=True)
         return np.asarray(found)
 
 

@@ -166,16 +166,20 @@ def _is_length(step: Any) -> bool:  # noqa: ANN401 - user input
 
 def rms_slope(surface: Surface) -> float:
     """Return the root mean square slope, from differences of neighbours; the larger direction."""
-    slopes = [0.0]
-    for axis, step in ((0, surface.step_x_m), (1, surface.step_y_m)):
-        if surface.height.shape[axis] > 1:
-            # Row by row of blocks: the differences of a large map need not be held at once.
-            total = sum(
-                float(np.sum(np.square(np.diff(block, axis=axis), dtype=np.float64)))
-                for block in np.array_split(surface.height, 16, axis=1 - axis)
-            )
-            slopes.append(float(np.sqrt(total / surface.height.size)) / step)
-    return max(slopes)
+    height, steps = surface.height, (surface.step_x_m, surface.step_y_m)
+    if height.flags.f_contiguous:
+        height, steps = height.T, steps[::-1]
+    totals = np.zeros(2)
+    # Blocks of rows stay in the cache.
+    rows = max(1, 2**16 // height.shape[1])
+    for first in range(0, len(height), rows):
+        block = height[first : first + rows + 1]
+        for axis, part in enumerate((block, block[:rows])):
+            totals[axis] += np.square(np.diff(part, axis=axis), dtype=np.float64).sum()
+    return max(
+        float(np.sqrt(total / height.size)) / step if step > 0 else 0.0
+        for total, step in zip(totals, steps, strict=True)
+    )
 
 
 def is_uniform(positions: NDArray[np.float64]) -> bool:
