@@ -23,11 +23,11 @@ contains
       type(case_file_t), allocatable :: files(:)
       integer :: i, k
 
-      allocate (files(count(list%keys(:list%count)%file /= '')))
+      allocate (files(count(list%keys(:list%count)%file(1:1) /= ' ')))
       i = 0
       do k = 1, list%count
          associate (key => list%keys(k))
-            if (key%file == '') cycle
+            if (key%file(1:1) == ' ') cycle
             i = i + 1
             files(i)%name = key%file
             files(i)%key = '&'//trim(key%group)//' '//trim(key%name)

@@ -46,8 +46,9 @@ contains
       scale = 1
       do while (may_enlarge(case, scale))
          errors = expected_domain_errors(case, conditions, rheology, scale)
-         if (errors(2) <= share_of_accuracy*case%accuracy .and. &
-             has_room(conditions, scale*case%x_min, scale*case%y_max)) exit
+         if (errors(2) <= share_of_accuracy*case%accuracy) then
+            if (has_room(conditions, scale*case%x_min, scale*case%y_max)) exit
+         end if
          scale = 2*scale
       end do
    end function chosen_scale

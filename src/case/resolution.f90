@@ -3,8 +3,7 @@ module ehlwave_resolution
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_conditions, only: conditions_t
    use ehlwave_formula, only: expected_film
-   use ehlwave_gauss_legendre, only: new_gauss_rule
-   use ehlwave_hertz_gap, only: hertz_gap
+   use ehlwave_hertz_gap, only: gap_rule, hertz_gap
    use ehlwave_kinds, only: dp
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
@@ -68,16 +67,16 @@ contains
    !> 8, 8 to 20 per cent at 2 to 3, 20 to 25 per cent at 1.2, and is unrelated to the flooded film below 0.1. That
    !> holds for H < 1. A thicker film hardly deforms the surfaces, and pressure spreads far: M = 3, D = 1 is still 34
    !> per cent off at 3.5 on the sides and 12 per cent at 37.
-   pure real(dp) function inlet_gap(conditions, x_min)
+   real(dp) function inlet_gap(conditions, x_min)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x_min   !! X of the inlet boundary, -1 or less
       inlet_gap = gap_over_film(conditions, x_min, 0.0_dp)
    end function inlet_gap
 
-   pure real(dp) function gap_over_film(conditions, x, y)
+   real(dp) function gap_over_film(conditions, x, y)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x, y    !! X, Y
-      gap_over_film = hertz_gap(conditions, x, y, new_gauss_rule(24))/expected_film(conditions)
+      gap_over_film = hertz_gap(conditions, x, y, gap_rule())/expected_film(conditions)
    end function gap_over_film
 
    !> Why a solution with this smallest film is not resolved; '' when it is, or when there is no smooth film (NaN).
@@ -126,18 +125,18 @@ contains
    end function times_as_wide
 
    !> Whether a film above 1 has all the domain that it needs, at X = x_min and at Y = y_max.
-   pure logical function has_room(conditions, x_min, y_max)
+   logical function has_room(conditions, x_min, y_max)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x_min, y_max
       has_room = .true.
       if (expected_film(conditions) <= 1) return
       has_room = inlet_gap(conditions, x_min) >= thick_film_gap
       if (conditions%is_line()) return
-      has_room = has_room .and. gap_over_film(conditions, 0.0_dp, y_max) >= thick_film_gap
+      if (has_room) has_room = gap_over_film(conditions, 0.0_dp, y_max) >= thick_film_gap
    end function has_room
 
    !> Points per wave and per inlet sweep, the length of the inlet, and the verdict on them.
-   pure function judge_resolution(conditions, surfaces, x_min, y_max, hx, hy, dt, is_fitted) result(self)
+   function judge_resolution(conditions, surfaces, x_min, y_max, hx, hy, dt, is_fitted) result(self)
       type(conditions_t), intent(in) :: conditions
       type(surfaces_t), intent(in) :: surfaces
       real(dp), intent(in) :: x_min    !! X of the inlet boundary

@@ -94,9 +94,7 @@ contains
    !> Whether a surface is rough.
    elemental logical function is_rough(self)
       class(case_t), intent(in) :: self
-      associate (both => self%surfaces())
-         is_rough = any(both%is_rough())
-      end associate
+      is_rough = self%roughness_t%is_rough() .or. self%effects%second%roughness%is_rough()
    end function is_rough
 
    !> Whether the steady state is one of waves at rest that solids may bear.
@@ -108,16 +106,14 @@ contains
    !> Whether a surface has measured heights.
    elemental logical function has_heights(self)
       class(case_t), intent(in) :: self
-      associate (both => self%surfaces())
-         has_heights = any(both%is_measured())
-      end associate
+      has_heights = self%roughness_t%is_measured() .or. self%effects%second%roughness%is_measured()
    end function has_heights
 
    !> Whether the gap changes in time: a pattern varies along X and its surface moves.
    elemental logical function moves(self)
       class(case_t), intent(in) :: self
-      associate (both => self%surfaces())
-         moves = any(both%moves_at(self%slip_parameter))
+      associate (s => self%slip_parameter)
+         moves = self%roughness_t%moves_at(s) .or. self%effects%second%roughness%moves_at(s)
       end associate
    end function moves
 

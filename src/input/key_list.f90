@@ -1,7 +1,7 @@
 !> A list of keys with their values: made from a table of keys, looked up by name, written back to the case.
 module ehlwave_key_list
-   use ehlwave_case_key, only: choice_length, key_t, key_value_t, most_keys, number_kind, truth_kind, whole_kind, &
-      word_kind
+   use ehlwave_case_key, only: choice_length, key_length, key_t, key_value_t, most_keys, number_kind, truth_kind, &
+      whole_kind, word_kind
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
@@ -43,6 +43,7 @@ contains
    subroutine enter(self, group, help)
       class(key_list_t), intent(inout) :: self
       character(len=*), intent(in) :: group, help
+      if (self%gives_back) return
       self%group = group
       self%group_help = help
       self%common = key_t()
@@ -100,7 +101,7 @@ contains
          new%applies = key%applies .and. common%applies
          new%counts = key%counts .and. common%counts
          new%is_effort = key%is_effort .or. common%is_effort
-         if (key%when == '') new%when = common%when
+         if (key%when(1:1) == ' ') new%when = common%when
          new%is_written = key%is_written .and. common%is_written
          new%is_late = key%is_late .or. common%is_late
       end associate
@@ -110,8 +111,12 @@ contains
    pure integer function find_key(keys, name)
       type(key_t), intent(in) :: keys(:)
       character(len=*), intent(in) :: name
+      character(len=key_length) :: wanted                !! texts of equal length are compared fastest
+      find_key = 0
+      if (len_trim(name) > key_length) return
+      wanted = name
       do find_key = size(keys), 1, -1
-         if (keys(find_key)%name == name) return
+         if (keys(find_key)%name == wanted) return
       end do
    end function find_key
 

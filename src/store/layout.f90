@@ -74,8 +74,11 @@ contains
       class(values_t), intent(in) :: self
       integer, intent(in) :: place
       character(len=:), allocatable :: text
-      text = ''
-      if (place > 0) text = self%text(self%first(place):self%last(place))
+      if (place > 0) then
+         text = self%text(self%first(place):self%last(place))
+      else
+         text = ''
+      end if
    end function numbered_element
 
 end module ehlwave_layout

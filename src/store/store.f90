@@ -45,6 +45,7 @@ module ehlwave_store
       type(record_writer_t), private :: log
       logical, private :: is_open = .false.
       character(len=:), allocatable, private :: columns, base_input
+      character(len=8), private :: tag = ''    ! checksum of the columns
       type(quantity_list_t), private :: last   ! record that has the columns
    contains
       procedure :: header
@@ -166,10 +167,11 @@ contains
       call record%add('effective_input', 'how the effective input differs', text_difference(self%base_input, input))
       if (.not. record%is_like(self%last)) then
          self%columns = json_columns(record)
+         self%tag = checksum(self%columns)
          call self%log%append('columns '//self%columns, error)
          if (.not. allocated(error)) self%last = record
       end if
-      call self%log%append('case '//json_values(record)//' '//checksum(self%columns), error)
+      call self%log%append('case '//json_values(record)//' '//self%tag, error)
       call self%log%announce('')
       if (.not. is_first) return
       if (.not. allocated(error)) call self%write_header(error)

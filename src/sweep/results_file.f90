@@ -159,39 +159,62 @@ contains
       call row%add('effective_input', 'case file that reproduces the case', sweep%input(case))
    end function input_row
 
-   !> Every column of the records that the file has not yet, described as in the table of quantities.
+   !> Every column of the records that the file has not yet, described as in the table of quantities. Some are made at
+   !> once: the records of a large sweep are read from memory once for all of them.
    subroutine write_outcomes(file, sweep, contents, place, table)
       type(hdf5_file_t), intent(inout) :: file
       type(sweep_t), intent(in) :: sweep
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: place(:)
       type(quantity_list_t), intent(in) :: table
-      type(column_t) :: column
-      type(quantity_t) :: quantity
-      integer :: number(size(contents%layouts))   ! number of the present column, in each layout
-      integer :: i, k, l, other
+      integer, parameter :: at_once = 16
+      type(column_t) :: columns(at_once)
+      type(quantity_t) :: quantities(at_once)
+      integer :: number(at_once, size(contents%layouts))   ! numbers of the present columns, in each layout
+      integer :: j, k, l, n, other
 
+      n = 0
       do l = 1, size(contents%layouts)
          associate (layout => contents%layouts(l))
             do k = 1, size(layout%names)
-               if (file%has(trim(layout%names(k)))) cycle
-               quantity = described(table, trim(layout%names(k)), layout%kinds(k))
+               if (file%has(trim(layout%names(k))) .or. any([(quantities(j)%name == layout%names(k), j=1, n)])) cycle
+               n = n + 1
+               quantities(n) = described(table, trim(layout%names(k)), layout%kinds(k))
                do other = 1, size(contents%layouts)
-                  number(other) = findloc(contents%layouts(other)%names, layout%names(k), 1)
+                  number(n, other) = findloc(contents%layouts(other)%names, layout%names(k), 1)
                end do
-               call column%init(quantity, size(place))
-               do i = 1, size(place)
-                  if (place(i) > 0) then
-                     call take_json(contents%cases(place(i))%element(number(contents%cases(place(i))%layout)), quantity)
-                  else
-                     call take_pending(sweep%plans(i), quantity)
-                  end if
-                  call column%set(i, quantity)
-               end do
-               call column%write(file)
+               if (n == at_once) call write_columns()
             end do
          end associate
       end do
+      call write_columns()
+
+   contains
+
+      subroutine write_columns()
+         integer :: i
+
+         do j = 1, n
+            call columns(j)%init(quantities(j), size(place))
+         end do
+         do i = 1, size(place)
+            do j = 1, n
+               if (place(i) > 0) then
+                  associate (record => contents%cases(place(i)))
+                     call take_json(record%element(number(j, record%layout)), quantities(j))
+                  end associate
+               else
+                  call take_pending(sweep%plans(i), quantities(j))
+               end if
+               call columns(j)%set(i, quantities(j))
+            end do
+         end do
+         do j = 1, n
+            call columns(j)%write(file)
+         end do
+         n = 0
+      end subroutine write_columns
+
    end subroutine write_outcomes
 
    !> A column as the table describes it; a column of another version, absent from the table, keeps its name.

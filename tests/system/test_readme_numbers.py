@@ -345,7 +345,7 @@ def record():
         ("agrees with the linear response within {} % at Ai = 1 % of the film", [largest("0.01")]),
         ("and within {} % at 20 %", [largest("0.2")]),
         ("At 90 % it is still within {} %", [Bound(largest("0.9"))]),
-        ("{} resolved cases of 576", [cell("harmonic/refit.csv", "points", group="all", variable="f_v")]),
+        ("{} cases (4 D", [cell("harmonic/refit.csv", "points", group="all", variable="f_v")]),
     ]
 
 

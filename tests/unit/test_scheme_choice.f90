@@ -16,7 +16,7 @@ program test_scheme_choice
 
    call check(sample(100.0_dp), 'auto', 'a light load')
    call check(sample(300.0_dp), 'fitted', 'a heavier one')
-   call check(with_waves(100.0_dp, 0.5_dp), 'auto', 'waves and a light load')
+   call check(with_waves(100.0_dp, 0.5_dp), 'fitted', 'waves and a light load')
    call check(with_waves(10000.0_dp, 0.5_dp), 'fitted', 'waves and a heavy one')
    call check(with_waves(1000.0_dp, 0.1_dp), 'auto', 'waves so short that they decide on the grid')
    case = sample(300.0_dp)
