@@ -9,7 +9,15 @@ from typing import Any
 
 from ehlwave.writing import Writer
 from studies.all_keys.draw import Row
-from studies.calibrate.factors import BY_RESPONSE, DOMAIN, FILM, STARVED, key, kind_of
+from studies.calibrate.factors import (
+    BY_RESPONSE,
+    DOMAIN,
+    FILM,
+    ROUNDING,
+    STARVED,
+    key,
+    kind_of,
+)
 from studies.calibrate.sample import VALUES, solved
 
 DIGITS = 6
@@ -109,6 +117,8 @@ def _errors(contact: Row, found: Row, table: dict[str, float]) -> Iterator[Row]:
             ("wide", DOMAIN, edges),
         ):
             off = abs(value - _number(contact.get(truth, {}), names)) / abs(value)
+            if quantity == "response":
+                off = max(0.0, off - ROUNDING / abs(value))
             if not (math.isfinite(off) and rule > 0 and math.isfinite(estimate)):
                 continue
             yield {
