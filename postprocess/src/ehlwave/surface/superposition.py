@@ -20,7 +20,7 @@ from ehlwave.surface.surface import Heights, Surface
 WORKERS = 2
 """Threads of the Fourier transforms."""
 
-BLOCK = 2**16
+BLOCK = 2**15
 """Components that are judged at a time."""
 
 MOST_KEPT = 2**22
