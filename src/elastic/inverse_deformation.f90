@@ -62,7 +62,7 @@ contains
       end do
       call fftw_execute_r2r(self%plan, self%field, self%modes)
       symbol = self%modes
-      if (grid%is_fitted) then
+      if (grid%has_curved_pressure) then
          do j = 0, grid%ny
             symbol(:, j) = symbol(:, j)*(1 + bend([(i, i=0, grid%nx)], grid%nx) + bend(j, max(1, grid%ny)))
          end do

@@ -10,8 +10,8 @@ module ehlwave_kernel
    !> half-space up to a constant, which the mutual approach absorbs. The kernel is positive on any domain.
    real(dp), parameter, public :: line_reference = 16
 
-   !> Deformation of the nodes of a grid by the pressures there. A cell has the pressure of its node or, on fitted grids,
-   !> the mean of a pressure that is curved, theory eq. (D18): P + (second differences of P along X and Y)/24.
+   !> Deformation of the nodes of a grid by the pressures there. A cell has the pressure of its node or the mean of a
+   !> pressure that is curved, theory eq. (D18): P + (second differences of P along X and Y)/24.
    type, public :: kernel_t
       real(dp) :: hx = 0, hy = 0         !! cell size
       real(dp) :: kappa = 1, k = 0       !! ellipticity a/b and complete elliptic integral
@@ -33,7 +33,7 @@ contains
       real(dp), intent(in) :: kappa, k          !! ellipticity a/b, complete elliptic integral of the first kind
       real(dp), intent(in), optional :: along   !! wave number along a line contact, 1/a; absent: 0
       type(kernel_t) :: self
-      self = kernel_t(grid%hx, grid%hy, kappa, k, is_raised=grid%is_fitted)
+      self = kernel_t(grid%hx, grid%hy, kappa, k, is_raised=grid%has_curved_pressure)
       if (present(along)) self%along = along
    end function new_kernel
 

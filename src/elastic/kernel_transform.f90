@@ -71,7 +71,7 @@ contains
          do m = 0, px/2
             t = thread_number()
             associate (values => along_y%values, modes => along_y%modes(:, t), last => min(reach, py - 1))
-               if (grid%is_fitted) call curve(column(:, m), 2*pi*m/px)
+               if (grid%has_curved_pressure) call curve(column(:, m), 2*pi*m/px)
                values(:, t) = column([(min(j, py - j), j=0, py - 1)], m)
                call fftw_execute_dft_r2c(along_y%plan, values(:, t), modes)
                self%direct(:, m) = real(modes, dp)/py

@@ -24,6 +24,7 @@ module ehlwave_grid
       logical :: is_line = .false.          !! whether it is the grid of a line contact
       logical :: is_flooded = .false.       !! whether the edges have the pressure of the far field, else P = 0
       logical :: is_fitted = .false.        !! whether differences are fitted to steep inlets, see theory eq. (D11)
+      logical :: has_curved_pressure = .false.   !! whether the pressure is curved in cells, see theory eq. (D18)
       integer :: row_ratio = 2              !! rows for one row of the next coarser grid
       integer :: first_row = 0, last_row = 0   !! rows with unknown pressure
       real(dp), allocatable :: x(:), y(:)   !! node coordinates, (0:nx), (0:ny)

@@ -265,6 +265,8 @@ contains
       end if
       grid%is_flooded = case%edges == 'flooded'
       grid%is_fitted = plan%is_fitted
+      ! where surfaces touch, pressures have edges
+      grid%has_curved_pressure = plan%is_fitted .and. .not. plan%effects%touching%is_given
    end function grid_of
 
    !> Tolerance and limits of a steady solution of a case.

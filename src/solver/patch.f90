@@ -27,6 +27,7 @@ contains
       self%hy = grid%hy
       self%is_half = grid%is_half .and. first(2) == 0
       self%is_fitted = grid%is_fitted
+      self%has_curved_pressure = grid%has_curved_pressure
       self%first_row = merge(0, 1, self%is_half)
       self%last_row = self%ny - 1
       allocate (self%x(0:self%nx), self%y(0:self%ny), self%weight(0:self%ny))

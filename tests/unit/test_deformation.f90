@@ -26,9 +26,9 @@ program test_deformation
    call compare_with_sum(17, 13, 0.126_dp)
    call compare_half(48, 36, 0.25_dp)
    call compare_half(34, 22, 1.0_dp)
-   call check_order_of_fitted(1.0_dp)
-   call check_order_of_fitted(0.3_dp)
-   call compare_with_sum(20, 14, 0.3_dp, is_fitted=.true.)
+   call check_order(1.0_dp)
+   call check_order(0.3_dp)
+   call compare_with_sum(20, 14, 0.3_dp, is_curved=.true.)
    call test%finish()
 
 contains
@@ -175,10 +175,10 @@ contains
       call test%check_close(v(:, 0), direct, 'FFT of a line against summation', absolute=1e-13_dp*maxval(abs(direct)))
    end subroutine compare_line_with_sum
 
-   subroutine compare_with_sum(cells_x, cells_y, kappa, is_fitted)
+   subroutine compare_with_sum(cells_x, cells_y, kappa, is_curved)
       integer, intent(in) :: cells_x, cells_y
       real(dp), intent(in) :: kappa
-      logical, intent(in), optional :: is_fitted            !! scheme; absent: averaged
+      logical, intent(in), optional :: is_curved            !! pressure of a cell; absent: false
       type(deformation_fft_t) :: deformation
       type(ellipticity_integrals_t) :: s
       type(grid_t) :: grid
@@ -188,7 +188,7 @@ contains
 
       s = ellipticity_integrals(kappa)
       grid = new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells_x, cells_y, .false.)
-      if (present(is_fitted)) grid%is_fitted = is_fitted
+      if (present(is_curved)) grid%has_curved_pressure = is_curved
       kernel = new_kernel(grid, s%kappa, s%k)
       call deformation%init(grid, s%kappa, s%k)
       allocate (p(0:grid%nx, 0:grid%ny), v(0:grid%nx, 0:grid%ny), direct(0:grid%nx, 0:grid%ny), source=0.0_dp)
@@ -218,7 +218,7 @@ contains
    !> A pressure exp(-(kappa X/w)^2 - (Y/w)^2) deforms its centre by pi^(1/2) w/(K kappa): exact integral in polar
    !> coordinates. Errors are of third order with the fitted scheme, by the cell of the
    !> singularity, of second order without.
-   subroutine check_order_of_fitted(kappa)
+   subroutine check_order(kappa)
       real(dp), intent(in) :: kappa
       real(dp), parameter :: width = 0.25_dp
       type(deformation_fft_t) :: deformation
@@ -232,7 +232,7 @@ contains
       do scheme = 1, 2
          do n = 1, 2
             grid = new_grid(-6.0_dp, 6.0_dp, 2.0_dp, 64*2**n, 32*2**n, .true.)
-            grid%is_fitted = scheme == 2
+            grid%has_curved_pressure = scheme == 2
             call deformation%init(grid, s%kappa, s%k)
             if (allocated(p)) deallocate (p, v)
             allocate (p(0:grid%nx, 0:grid%ny), v(0:grid%nx, 0:grid%ny))
@@ -246,7 +246,7 @@ contains
       order = log(error(1, :)/error(2, :))/log(2.0_dp)
       print '(a, 2f6.3)', 'measured: order of the deformation by a smooth pressure, averaged and fitted ', order
       call test%check_close(order, [2.0_dp, 3.0_dp], 'order of the deformation', absolute=0.3_dp)
-   end subroutine check_order_of_fitted
+   end subroutine check_order
 
    subroutine compare_half(cells_x, cells_y, kappa)
       integer, intent(in) :: cells_x, cells_y

@@ -117,10 +117,10 @@ def _errors(contact: Row, found: Row, table: dict[str, float]) -> Iterator[Row]:
             ("wide", DOMAIN, edges),
         ):
             off = abs(value - _number(contact.get(truth, {}), names)) / abs(value)
-            if quantity == "response":
-                off = max(0.0, off - ROUNDING / abs(value))
             if not (math.isfinite(off) and rule > 0 and math.isfinite(estimate)):
                 continue
+            if quantity == "response":
+                off = max(0.0, off - ROUNDING / abs(value))
             yield {
                 "contact": contact["number"],
                 "classes": " ".join(contact["classes"]),
