@@ -9,7 +9,7 @@ module ehlwave_shared_steady
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_harmonic_response, only: harmonic_response_t
-   use ehlwave_harmonic_solver, only: harmonic_solver_t
+   use ehlwave_harmonic_solver, only: harmonic_solver_t, least_in_single
    use ehlwave_kinds, only: dp
    use ehlwave_memory, only: many_nodes
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
@@ -180,6 +180,8 @@ contains
       if (plan%kind == run_harmonic) deallocate (self%multigrid%solver)
       self%response%tolerance = case%response_tolerance
       self%coarse_response%tolerance = case%response_tolerance
+      self%response%in_single = min(case%tolerance, case%response_tolerance) >= least_in_single
+      self%coarse_response%in_single = self%response%in_single
       call self%response%init(self%multigrid%levels)
       if (.not. is_large(self)) call self%response%find_tangent(self%multigrid%levels)
       if (self%has_coarse .and. .not. is_large(self)) call self%coarse_response%init(self%multigrid%levels(:n - 1))

@@ -17,11 +17,13 @@ module ehlwave_harmonic_solver
    !> Tolerance of the linear residual: 1e-4 leaves up to 0.3 % where Ad/Ai is a few per cent (2e-4 of Ai), 1e-5 a
    !> tenth of that for one or two more steps.
    real(dp), parameter :: response_tolerance = 1e-5_dp
-   real(dp), parameter :: least_in_single = 1e-6_dp   !! tolerance down to which products in single precision serve
+   real(dp), parameter, public :: least_in_single = 1e-6_dp   !! tolerance down to which products in single precision
+                                                              !! serve
 
    !> Solver of the operator about a steady state; `init` comes first, `respond` sets the frequency.
    type, extends(harmonic_operator_t), public :: harmonic_solver_t
       real(dp) :: tolerance = response_tolerance        !! tolerance of the linear residual
+      logical :: in_single = .true.                     !! products, whose convolutions are good to 1e-7 then
       class(steady_tangent_t), allocatable :: tangent   !! for real changes that do not turn, see `find_tangent`
       real(dp), private :: tangent_work = 0             ! operations that it took, if a response found it
       type(gmres_t), private :: gmres
@@ -120,7 +122,7 @@ contains
             call respond_really(self, levels, real(b, dp), response)
             return
          end if
-         call linear%borrow(levels, in_single=self%tolerance >= least_in_single)
+         call linear%borrow(levels, in_single=self%in_single)
          call self%gmres%solve_in_place(linear, b, self%tolerance)
          response%linear_steps = self%gmres%steps
          response%reduction = self%gmres%reduction
@@ -182,7 +184,7 @@ contains
       type(harmonic_response_t), intent(inout) :: response
       type(tangent_change_t) :: change
 
-      call self%tangent%solve(levels, b, self%tolerance, change, self%tolerance >= least_in_single)
+      call self%tangent%solve(levels, b, self%tolerance, change, self%in_single)
       response%status = change%status
       response%linear_steps = change%linear_steps
       response%reduction = change%reduction

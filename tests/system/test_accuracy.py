@@ -100,6 +100,7 @@ class Accuracy(TestCase):
                 averaged, _ = self.plan(changed(groups, {"solver": {"scheme": "averaged"}}))
                 self.assertEqual(averaged["scheme"], "averaged")
                 self.assertLess(gain*work(plan), work(averaged))
+                taken.add(round(step_over_cell(averaged)))
         self.assertEqual(taken, {1, 2})
 
     def test_amplitude_follows_accuracy(self):
@@ -110,13 +111,13 @@ class Accuracy(TestCase):
             line = next(line for line in text.splitlines() if line.startswith("Waviness"))
             return float(line.split("Ai = ")[1].split()[0]), plan["expected_amplitude_error"], "chosen for the accuracy" in line
 
-        self.assertEqual(amplitude(1, 0.01)[::2], (0.2, False))
-        for slip, accuracy in [(1, 0.002), (1.5, 0.01), (0.5, 0.01), (1.2, 0.1)]:
+        self.assertEqual(amplitude(1, 0.1)[::2], (0.2, False))
+        for slip, accuracy in [(1, 0.002), (1, 0.01), (1.5, 0.01), (0.5, 0.01), (1.2, 0.1)]:
             with self.subTest(slip=slip, accuracy=accuracy):
                 chosen, error, is_chosen = amplitude(slip, accuracy)
                 self.assertTrue(is_chosen)
                 self.assertLess(chosen, 0.2)
-                self.assertTrue(0.15*accuracy < error <= 0.2*accuracy, error)
+                self.assertTrue(0.015*accuracy < error <= 0.02*accuracy, error)
         given, error, is_chosen = amplitude(1.5, 0.2, amplitude_over_film=0.04)
         self.assertEqual((given, is_chosen), (0.04, False))
         self.assertGreater(error, 0.02)
@@ -218,8 +219,8 @@ class Accuracy(TestCase):
     def test_estimates_come_with_the_result(self):
         result = last_line(self.call(changed(WAVY, {"solver": {"accuracy": 0.1}})))
         self.assertEqual(result["amplitude_error_basis"], "coarse_grid")
-        # from finer grids: H(0,0) = 0.1493, Ad/Ai = 0.916
-        self.assertTrue(1 <= result["central_film_error"]/abs(result["central_film"]/0.1493 - 1) <= 2, result)
+        # from finer grids, also of the averaged scheme: H(0,0) = 0.1523, Ad/Ai = 0.916
+        self.assertTrue(1 <= result["central_film_error"]/abs(result["central_film"]/0.1523 - 1) <= 3, result)
         self.assertTrue(1/3 < result["amplitude_ratio_error"]/abs(result["amplitude_ratio_fit"]/0.916 - 1) < 3, result)
         same_grid = {"grid": {key: result[key] for key in ("cells_x", "cells_y")},
                      "solver": {"accuracy": 0.1, "error_estimate": "model", "scheme": result["scheme"]}}

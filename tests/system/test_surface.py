@@ -147,7 +147,7 @@ class Surfaces(FolderTest):
         self.write(rough_map())
         free = self.run_case("--plan", grid=None)
         self.assertIn("fitted scheme", free.stdout)
-        self.assertRegex(free.stdout, r"X: for an accuracy of 0\.0033")
+        self.assertRegex(free.stdout, r"X: for an accuracy of 0\.0034")
         self.assertNotIn("fitted scheme", self.run_case("--plan").stdout)
 
     def test_end_time_and_slip(self):
