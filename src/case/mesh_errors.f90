@@ -10,6 +10,9 @@ module ehlwave_mesh_errors
    private
    public :: kind_of, least_error, mesh_error, observed_order, richardson_error
 
+   !> Fall of errors of fitted grids from 4h to 2h: there they are of third order and more, while steep inlets are of
+   !> second order in the end.
+   real(dp), parameter :: fitted_fall = 8
    real(dp), parameter :: model_share = 0.3_dp     !! of the expected error: grids can agree by chance
 
    !> Relative error of a quantity and its source.
@@ -55,7 +58,11 @@ contains
       real(dp), intent(in), optional :: order
       real(dp) :: by_richardson
 
-      by_richardson = richardson_error(values, order)
+      if (kind > 2) then
+         by_richardson = richardson_error(values, order, fitted_fall)
+      else
+         by_richardson = richardson_error(values, order)
+      end if
       if (ieee_is_finite(by_richardson)) then
          error = mesh_error_t(max(by_grids(quantity, kind)*by_richardson, least_error(quantity, kind, expected)), &
                               'coarse_grid')
@@ -66,10 +73,11 @@ contains
 
    !> Larger of two estimates: |v(h) - v(2h)|/(2^p - 1), and |v(2h) - v(4h)|/(2^p (2^p - 1)) where there are three
    !> values, over |v(h)|. NaN without two values.
-   pure real(dp) function richardson_error(values, order) result(error)
+   pure real(dp) function richardson_error(values, order, fall) result(error)
       complex(dp), intent(in) :: values(:)
       real(dp), intent(in), optional :: order
-      real(dp) :: ratio                            ! of errors on meshes 2h and h
+      real(dp), intent(in), optional :: fall       !! of the error from mesh size 4h to 2h; absent: 2^p
+      real(dp) :: coarse_ratio, ratio              ! of errors on meshes 4h and 2h, 2h and h
 
       error = no_value
       if (size(values) < 2) return
@@ -78,7 +86,9 @@ contains
       if (present(order)) ratio = 2**order
       error = abs(values(1) - values(2))
       if (size(values) > 2) then
-         if (ieee_is_finite(abs(values(3)))) error = max(error, abs(values(2) - values(3))/ratio)
+         coarse_ratio = ratio
+         if (present(fall)) coarse_ratio = fall
+         if (ieee_is_finite(abs(values(3)))) error = max(error, abs(values(2) - values(3))/coarse_ratio)
       end if
       error = error/((ratio - 1)*abs(values(1)))
    end function richardson_error
