@@ -42,7 +42,8 @@ MODEL_SHARE = 0.3
 ALIKE = {"amplitude_ratio": "response"}
 """Quantities whose factors stand in for those of one with fewer than `FEW` errors."""
 ROUNDING = 1e-5
-"""Relative error of truths and of tolerances, which is no error by the mesh; of responses over Ai."""
+"""Relative error of truths and of tolerances, which is no error by the mesh; of responses over
+Ai."""
 CONFIDENCE = 0.6
 """Confidence that the share `BOUND` of all errors is below a factor."""
 TAIL, FEWEST_TAIL = 0.1, 3
