@@ -37,7 +37,8 @@ contains
 
       if (checks) call assert(min(grid%hx, grid%hy) > 0 .and. kappa > 0 .and. k > 0, &
                               'deformation%init: positive mesh sizes and kappa')
-      made_for = [grid%hx, grid%hy, kappa, k, real([grid%nx, grid%ny, merge(1, 0, [grid%is_half, grid%has_curved_pressure])], dp)]
+      made_for = [grid%hx, grid%hy, kappa, k, &
+                  real([grid%nx, grid%ny, merge(1, 0, [grid%is_half, grid%has_curved_pressure])], dp)]
       if (all(abs(made_for - self%made_for) <= 0)) return
       self%made_for = made_for
       kernel = new_kernel_transform(grid, kappa, k)

@@ -102,9 +102,9 @@ contains
       end do
    end subroutine curve
 
-   !> Transforms along X of the influence of cells at the distances j = 0 to `reach` + 1 along Y. The influence depends on distances
-   !> along X and is mirrored in the middle. Four cells share a corner: each row of them is found once, for a part of
-   !> the rows.
+   !> Transforms along X of the influence of cells at the distances j = 0 to `reach` + 1 along Y. The influence depends
+   !> on distances along X and is mirrored in the middle. Four cells share a corner: each row of them is found once, for
+   !> a part of the rows.
    subroutine transform_rows(grid, kappa, k, px, column)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, k

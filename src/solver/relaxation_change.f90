@@ -71,8 +71,9 @@ contains
          do j = 0, 1
             do i = -r, r
                self%influence(i, j, single) = kernel%at(i, j)
-               self%influence(i, j, distributed) = kernel%at(i, j) - self%share_x*(kernel%at(i - 1, j) + kernel%at(i + 1, j)) &
-                                                   - self%share_y*(kernel%at(i, j - 1) + kernel%at(i, j + 1))
+               self%influence(i, j, distributed) = kernel%at(i, j) &
+                  - self%share_x*(kernel%at(i - 1, j) + kernel%at(i + 1, j)) &
+                  - self%share_y*(kernel%at(i, j - 1) + kernel%at(i, j + 1))
             end do
          end do
       end associate
