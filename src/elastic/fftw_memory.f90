@@ -5,7 +5,7 @@ module ehlwave_fftw_memory
    use ehlwave_fftw_answer, only: obtained
    implicit none (type, external)
    private
-   public :: allot
+   public :: allot, make_room
 
    include 'fftw3.f03'
 
@@ -15,7 +15,14 @@ module ehlwave_fftw_memory
       procedure allot_real, allot_complex, allot_single
    end interface allot
 
+   integer(c_size_t), parameter :: bytes_of_plan = 2**21   !! more than planning takes
+
 contains
+
+   !> End the program for lack of memory unless there is enough for a plan: FFTW itself crashes where planning lacks it.
+   subroutine make_room()
+      call fftw_free(obtained(fftw_malloc(bytes_of_plan), bytes_of_plan/16))
+   end subroutine make_room
 
    subroutine allot_real(n, m, memory, array)
       integer, intent(in) :: n, m
@@ -27,6 +34,7 @@ contains
       memory = obtained(fftw_alloc_real(values), values)
       call c_f_pointer(memory, from_one, [n, m])
       array(0:, 0:) => from_one
+      call make_room()
    end subroutine allot_real
 
    subroutine allot_complex(n, m, memory, array)
@@ -39,6 +47,7 @@ contains
       memory = obtained(fftw_alloc_complex(values), values)
       call c_f_pointer(memory, from_one, [n, m])
       array(0:, 0:) => from_one
+      call make_room()
    end subroutine allot_complex
 
    subroutine allot_single(n, m, memory, array)
@@ -51,6 +60,7 @@ contains
       memory = obtained(fftwf_alloc_complex(values), values)
       call c_f_pointer(memory, from_one, [n, m])
       array(0:, 0:) => from_one
+      call make_room()
    end subroutine allot_single
 
 end module ehlwave_fftw_memory

@@ -7,6 +7,7 @@ module ehlwave_inverse_deformation
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_int, &
       c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
    use ehlwave_fftw_answer, only: obtained
+   use ehlwave_fftw_memory, only: make_room
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_curvature, kernel_t, new_kernel
    use ehlwave_kinds, only: dp, pi
@@ -48,6 +49,7 @@ contains
       allocate (symbol(0:grid%nx, 0:grid%ny))
       allocate (self%spectrum(0:grid%nx, 0:grid%ny), self%field(0:grid%nx, 0:grid%ny), self%modes(0:grid%nx, 0:grid%ny))
       values = size(self%field, kind=c_size_t)
+      call make_room()
       if (grid%is_line) then
          self%plan = obtained(fftw_plan_r2r_1d(grid%nx + 1, self%field, self%modes, FFTW_REDFT00, &
                                                FFTW_ESTIMATE + FFTW_UNALIGNED), values)

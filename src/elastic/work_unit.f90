@@ -4,6 +4,7 @@ module ehlwave_work_unit
       c_int, c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr
    use ehlwave_clock, only: wall_seconds
    use ehlwave_fftw_answer, only: obtained
+   use ehlwave_fftw_memory, only: make_room
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
@@ -116,6 +117,7 @@ contains
       modes_memory = obtained(fftw_alloc_complex(modes_count), modes_count)
       call c_f_pointer(plane_memory, plane, [2*nx, 2*ny])
       call c_f_pointer(modes_memory, modes, [nx + 1, 2*ny])
+      call make_room()
       forward = obtained(fftw_plan_dft_r2c_2d(2*ny, 2*nx, plane, modes, FFTW_ESTIMATE), modes_count)
       backward = obtained(fftw_plan_dft_c2r_2d(2*ny, 2*nx, modes, plane, FFTW_ESTIMATE), modes_count)
       plane = 0
