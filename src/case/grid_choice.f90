@@ -156,8 +156,6 @@ contains
       logical, intent(in) :: is_fitted           !! scheme
       integer, intent(in) :: cells_per_step      !! dT/hX, see `choose_grid`
       integer, parameter :: halvings = 30
-      type(roughness_t) :: both(2)
-      logical :: varies_along_y
       real(dp) :: by_model, left, provable, ratio, room, step
       real(dp) :: share                          ! of the mesh without the error of longer steps
       integer :: n
@@ -174,8 +172,6 @@ contains
          accurate_mesh = mesh_for_waves(accurate_mesh, pattern%waves, pattern%slip, left)
       if (.not. pattern%has_ratio) return
       if (case%response == 'harmonic') return
-      both = case%surfaces()
-      varies_along_y = any(both%wavelength_y_over_a > 0)
       room = room_of_proof()
       provable = provable_mesh(left/accurate_mesh**2)
       if (.not. pattern%moves) accurate_mesh = ratio**0.25_dp*accurate_mesh
@@ -202,9 +198,11 @@ contains
 
       !> Declared error that waves in time may have by the mesh and by longer steps.
       pure real(dp) function room_of_proof()
+         type(roughness_t) :: both(2)
          real(dp) :: others
+         both = case%surfaces()
          others = expected_others(case)
-         if (varies_along_y) others = others + least_error(amplitude_ratio, &
+         if (any(both%wavelength_y_over_a > 0)) others = others + least_error(amplitude_ratio, &
             kind_of(is_fitted, conditions%is_line()), share_of_waves*case%accuracy)
          room_of_proof = share_of_proof*max((1 - largest_others)*case%accuracy, case%accuracy - others)
       end function room_of_proof

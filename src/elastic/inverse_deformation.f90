@@ -9,7 +9,7 @@ module ehlwave_inverse_deformation
    use ehlwave_fftw_answer, only: obtained
    use ehlwave_fftw_memory, only: make_room
    use ehlwave_grid, only: grid_t
-   use ehlwave_kernel, only: cell_curvature, kernel_t, new_kernel
+   use ehlwave_kernel, only: cell_bend, kernel_t, new_kernel
    use ehlwave_kinds, only: dp, pi
    use ehlwave_work_unit, only: transform_operations
    implicit none (type, external)
@@ -66,7 +66,8 @@ contains
       symbol = self%modes
       if (grid%has_curved_pressure) then
          do j = 0, grid%ny
-            symbol(:, j) = symbol(:, j)*(1 + bend([(i, i=0, grid%nx)], grid%nx) + bend(j, max(1, grid%ny)))
+            symbol(:, j) = symbol(:, j)*(1 + cell_bend([(pi*i/grid%nx, i=0, grid%nx)]) &
+                                           + cell_bend(pi*j/max(1, grid%ny)))
          end do
       end if
       symbol(0, 0) = maxval(abs(symbol))    ! a line's constant is arbitrary
@@ -75,12 +76,6 @@ contains
       self%spectrum = 1/(symbol*2*grid%nx*merge(1, 2*grid%ny, grid%is_line))
       self%operations = transform_operations(4.0_dp*max(1, grid%ny)*grid%nx)
    end subroutine init
-
-   !> Share of `cell_curvature` in the symbol of wave m of n: minus the second difference of the wave.
-   elemental real(dp) function bend(m, n)
-      integer, intent(in) :: m, n
-      bend = 2*cell_curvature*(1 - cos(pi*m/n))
-   end function bend
 
    !> Pressure at all nodes for a deformation.
    subroutine apply(self, d, p)

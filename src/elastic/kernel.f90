@@ -4,7 +4,7 @@ module ehlwave_kernel
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
-   public :: cell_influence, corner, line_wave_influence, new_kernel
+   public :: cell_bend, cell_influence, corner, line_wave_influence, new_kernel
 
    !> Distance, in units of a, at which the deformation of a line contact counts as zero. A line load deforms a
    !> half-space up to a constant, which the mutual approach absorbs. The kernel is positive on any domain.
@@ -46,6 +46,13 @@ contains
       d = d - cell_curvature*(self%of_cell(i - 1, j) - 2*self%of_cell(i, j) + self%of_cell(i + 1, j) &
                               + self%of_cell(i, j - 1) - 2*self%of_cell(i, j) + self%of_cell(i, j + 1))
    end function kernel_at
+
+   !> Share that curved pressures add to the transform of a kernel, along one direction: `cell_curvature` times minus
+   !> the second difference of a wave over the wave.
+   elemental real(dp) function cell_bend(angle)
+      real(dp), intent(in) :: angle        !! of the wave per cell
+      cell_bend = 2*cell_curvature*(1 - cos(angle))
+   end function cell_bend
 
    !> Deformation by P = 1 in a cell.
    elemental real(dp) function of_cell(self, i, j) result(d)

@@ -5,7 +5,7 @@ module ehlwave_kernel_transform
    use ehlwave_fftw_answer, only: obtained
    use ehlwave_fftw_memory, only: allot
    use ehlwave_grid, only: grid_t
-   use ehlwave_kernel, only: cell_curvature, corner
+   use ehlwave_kernel, only: cell_bend, cell_curvature, corner
    use ehlwave_kinds, only: dp, pi
    use ehlwave_threads, only: is_shared, thread_count, thread_number
    implicit none (type, external)
@@ -93,7 +93,7 @@ contains
       real(dp), intent(in) :: angle             !! of the wave per cell along X
       real(dp) :: along_x, before, here
       integer :: j
-      along_x = 1 + 2*cell_curvature*(1 - cos(angle))
+      along_x = 1 + cell_bend(angle)
       before = column(1)
       do j = 0, ubound(column, 1) - 1
          here = column(j)

@@ -33,7 +33,7 @@ contains
       !$omp parallel do private(both, far, is_curved) schedule(static) if (is_shared(size(h)))
       do j = grid%first_row, grid%last_row
          both(:n - 1) = h(:n - 1, j) + h(1:, j)
-         far = both
+         far(:n - 1) = both(:n - 1)
          far(1:n - 2) = h(:n - 3, j) + h(3:, j)
          is_curved = .true.
          is_curved([0, n - 1]) = .false.          ! the film is straight at the ends
@@ -95,30 +95,31 @@ contains
       type(face_flow_t), intent(in) :: faces
       integer, intent(in) :: j
       real(dp) :: flux(0:ubound(faces%flux, 1))
-      integer :: i
 
       flux = faces%flux(:, j)
-      do i = faces%first_curved, faces%last_curved
-         associate (q => faces%flux)
-            flux(i) = q(i, j) - curvature*(q(i + 1, j) - 2*q(i, j) + q(i - 1, j)) &
-                      + faces%slope(i, j)*(q(i + 1, j) - q(i - 1, j))
-         end associate
-      end do
+      associate (q => faces%flux, first => faces%first_curved, last => faces%last_curved)
+         flux(first:last) = raised(q(first - 1:last - 1, j), q(first:last, j), q(first + 1:last + 1, j), &
+                                   faces%slope(first:last, j))
+      end associate
    end function raised_row
 
    !> Fluxes along Y from row j to the next.
    pure function raised_across(faces, j) result(flux)
       type(face_flow_t), intent(in) :: faces
       integer, intent(in) :: j
-      real(dp), dimension(0:ubound(faces%flux, 1)) :: before, flux
+      real(dp) :: flux(0:ubound(faces%flux, 1))
 
       flux = faces%flux(:, j)
       if (j < faces%first_curved .or. j > faces%last_curved) return
-      before = flux_before(faces, j)
-      associate (after => faces%flux(:, j + 1))
-         flux = flux - curvature*(after - 2*flux + before) + faces%slope(:, j)*(after - before)
-      end associate
+      flux = raised(flux_before(faces, j), flux, faces%flux(:, j + 1), faces%slope(:, j))
    end function raised_across
+
+   !> Flux through a face from q through the faces before, at and after it.
+   elemental real(dp) function raised(before, at, after, slope)
+      real(dp), intent(in) :: before, at, after
+      real(dp), intent(in) :: slope              !! s
+      raised = at - curvature*(after - 2*at + before) + slope*(after - before)
+   end function raised
 
    !> q along Y through the faces before row j of them, mirrored at a line of symmetry.
    pure function flux_before(faces, j) result(q)
