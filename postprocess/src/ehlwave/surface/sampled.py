@@ -90,7 +90,7 @@ class Sampled(Transfer):
 
 
 def _polynomials(q: Waves) -> tuple[Waves, Waves]:
-    """Return Chebyshev points of an octave, and weights of their values in those of its waves."""
+    """Return Chebyshev points of an octave, and weights of their values at its waves."""
     if q.size <= NODES:
         return q, np.eye(q.size)
     middle, half = (q[0] + q[-1]) / 2, (q[-1] - q[0]) / 2
